@@ -1,0 +1,74 @@
+#pragma once
+
+#include "ephyra/base/mpi.h"
+
+#include <vector>
+
+namespace ephyra::fluid
+{
+  /// One direction of a tensor grid: cells, their faces and the distances that
+  /// finite differences need, m. Index 0 is the first cell; faces 0 ... n.
+  struct GridLine
+  {
+    explicit GridLine(std::vector<double> faces);
+
+    int                 n_cells;
+    std::vector<double> face;       ///< n + 1
+    std::vector<double> centre;     ///< n
+    std::vector<double> width;      ///< n: face[i + 1] - face[i]
+    std::vector<double> centre_gap; ///< n + 1: distance of the centres beside
+                                    ///< face i; half a cell at the ends
+    bool uniform; ///< all widths equal to round-off
+
+    /// Cell that holds x; -1 or n_cells outside.
+    int
+    cell_of(double x) const;
+  };
+
+  /// Axisymmetric staggered grid (Harlow & Welch layout; Verzicco & Orlandi
+  /// 1996, 10.1006/jcph.1996.0033) over [0, R] x [y0, y1], distributed over the
+  /// ranks by rows of constant r. Pressure sits in cells (i, j), the radial
+  /// velocity on the faces r = r.face[i], the axial one on y = y.face[j].
+  class StaggeredGrid
+  {
+  public:
+    StaggeredGrid(GridLine r, GridLine y, bool periodic_y, MPI_Comm comm);
+
+    const GridLine r;
+    const GridLine y;
+    const bool     periodic_y;
+
+    MPI_Comm
+    communicator() const
+    {
+      return comm;
+    }
+    /// Rows of cells of this rank: [first_row, first_row + n_rows).
+    int first_row;
+    int n_rows;
+    int
+    end_row() const
+    {
+      return first_row + n_rows;
+    }
+    bool
+    is_first_rank() const
+    {
+      return first_row == 0;
+    }
+    bool
+    is_last_rank() const
+    {
+      return end_row() == r.n_cells;
+    }
+    /// Whether row i of cells is held here.
+    bool
+    owns_row(int i) const
+    {
+      return i >= first_row && i < end_row();
+    }
+
+  private:
+    MPI_Comm comm;
+  };
+} // namespace ephyra::fluid
