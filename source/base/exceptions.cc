@@ -11,12 +11,8 @@ namespace ephyra::internal
                    const int   line,
                    const char *message)
   {
-    std::fprintf(stderr,
-                 "%s:%d: %s (violated: %s)\n",
-                 file,
-                 line,
-                 message,
-                 condition);
+    std::fprintf(
+      stderr, "%s:%d: %s (violated: %s)\n", file, line, message, condition);
     std::abort();
   }
 } // namespace ephyra::internal

@@ -8,7 +8,10 @@ namespace ephyra::mpi
   {
     template <typename T>
     T
-    reduce(T value, const MPI_Datatype type, const MPI_Op op, const MPI_Comm comm)
+    reduce(T                  value,
+           const MPI_Datatype type,
+           const MPI_Op       op,
+           const MPI_Comm     comm)
     {
       T result;
       MPI_Allreduce(&value, &result, 1, type, op, comm);

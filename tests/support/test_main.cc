@@ -9,8 +9,8 @@ int
 main(int argc, char *argv[])
 {
   MPI_Init(&argc, &argv);
-  const int failed = boost::unit_test::unit_test_main(
-    []() { return true; }, argc, argv);
+  const int failed =
+    boost::unit_test::unit_test_main([]() { return true; }, argc, argv);
   int any = 0;
   MPI_Allreduce(&failed, &any, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();

@@ -23,7 +23,8 @@ namespace ephyra
     Error(const ExitCode code, const std::string &message)
       : std::runtime_error(message)
       , code(code)
-    {}
+    {
+    }
 
     const ExitCode code;
   };
@@ -34,7 +35,8 @@ namespace ephyra
   public:
     explicit InputError(const std::string &message)
       : Error(ExitCode::input_error, message)
-    {}
+    {
+    }
   };
 
   /// A computation diverged or did not converge (exit code 2).
@@ -43,7 +45,8 @@ namespace ephyra
   public:
     explicit DivergedError(const std::string &message)
       : Error(ExitCode::diverged, message)
-    {}
+    {
+    }
   };
 
   namespace internal
@@ -62,20 +65,20 @@ namespace ephyra
 #  define EphyraAssert(condition, message) ((void)0)
 #else
 #  define EphyraAssert(condition, message)               \
-    ((condition) ? (void)0 :                             \
-                   ::ephyra::internal::assertion_failed( \
+    ((condition) ? (void)0                               \
+                 : ::ephyra::internal::assertion_failed( \
                      #condition, __FILE__, __LINE__, message))
 #endif
 
 /// Throws @p Exception with a streamed message where a condition that a user
 /// can violate does not hold:
 ///   EphyraThrowIf(dt <= 0, InputError, "The time step " << dt << " s ...");
-#define EphyraThrowIf(condition, Exception, streamed)   \
-  do                                                    \
-    if (condition)                                      \
-      {                                                 \
-        std::ostringstream ephyra_message;              \
-        ephyra_message << streamed;                     \
+#define EphyraThrowIf(condition, Exception, streamed)    \
+  do                                                     \
+    if (condition)                                       \
+      {                                                  \
+        std::ostringstream ephyra_message;               \
+        ephyra_message << streamed;                      \
         throw ::ephyra::Exception(ephyra_message.str()); \
-      }                                                 \
+      }                                                  \
   while (false)

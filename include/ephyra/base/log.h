@@ -30,9 +30,9 @@ namespace ephyra
 
   private:
     std::ofstream file;
-    bool          writes   = true;
+    bool          writes    = true;
     bool          to_screen = true;
-    unsigned int  warnings = 0;
+    unsigned int  warnings  = 0;
   };
 
   /// The log of this process.

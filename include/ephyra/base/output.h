@@ -19,8 +19,8 @@ namespace ephyra
   /// The part of the flow grid that a rank holds, and the cell fields on it.
   struct GridOutput
   {
-    std::vector<double>    r_faces; ///< of all rows of the grid, m
-    std::vector<double>    y_faces; ///< m
+    std::vector<double>    r_faces;       ///< of all rows of the grid, m
+    std::vector<double>    y_faces;       ///< m
     std::int64_t           first_row = 0; ///< first r-cell held here
     std::int64_t           n_rows    = 0;
     std::vector<GridField> fields;
@@ -37,8 +37,8 @@ namespace ephyra
   };
   struct BezierOutput
   {
-    std::string name; ///< of the body, part of the file name
-    int         parametric_dimension = 2;
+    std::string        name; ///< of the body, part of the file name
+    int                parametric_dimension = 2;
     std::array<int, 2> degree{{1, 1}};
     /// Bézier control points of all cells, one cell after another, each
     /// lexicographic with the first parametric direction fastest; r and y in

@@ -39,8 +39,8 @@ namespace ephyra::patterns
       open    ///< limits excluded
     };
     explicit Double(const std::string &unit = "",
-                    double min = -std::numeric_limits<double>::infinity(),
-                    double max = std::numeric_limits<double>::infinity(),
+                    double min    = -std::numeric_limits<double>::infinity(),
+                    double max    = std::numeric_limits<double>::infinity(),
                     Bounds bounds = Bounds::closed);
     std::unique_ptr<PatternBase>
     clone() const override;
@@ -61,10 +61,8 @@ namespace ephyra::patterns
   inline Double
   Positive(const std::string &unit = "")
   {
-    return Double(unit,
-                  0.,
-                  std::numeric_limits<double>::infinity(),
-                  Double::Bounds::open);
+    return Double(
+      unit, 0., std::numeric_limits<double>::infinity(), Double::Bounds::open);
   }
 
   class Integer : public PatternBase
@@ -114,9 +112,10 @@ namespace ephyra::patterns
   class List : public PatternBase
   {
   public:
-    explicit List(const PatternBase &item,
-                  unsigned int       min_items = 0,
-                  unsigned int max_items = std::numeric_limits<unsigned int>::max());
+    explicit List(
+      const PatternBase &item,
+      unsigned int       min_items = 0,
+      unsigned int       max_items = std::numeric_limits<unsigned int>::max());
     List(const List &);
     std::unique_ptr<PatternBase>
     clone() const override;

@@ -27,23 +27,27 @@ namespace ephyra::fluid
     double &
     operator()(const int i, const int j)
     {
-      return data[static_cast<std::size_t>(i - first_stored) * stride + offset + j];
+      return data[static_cast<std::size_t>(i - first_stored) * stride + offset +
+                  j];
     }
     double
     operator()(const int i, const int j) const
     {
-      return data[static_cast<std::size_t>(i - first_stored) * stride + offset + j];
+      return data[static_cast<std::size_t>(i - first_stored) * stride + offset +
+                  j];
     }
     /// Pointer p with p[j] = a(i, j).
     double *
     row(const int i)
     {
-      return data.data() + static_cast<std::size_t>(i - first_stored) * stride + offset;
+      return data.data() + static_cast<std::size_t>(i - first_stored) * stride +
+             offset;
     }
     const double *
     row(const int i) const
     {
-      return data.data() + static_cast<std::size_t>(i - first_stored) * stride + offset;
+      return data.data() + static_cast<std::size_t>(i - first_stored) * stride +
+             offset;
     }
 
     void
@@ -72,10 +76,10 @@ namespace ephyra::fluid
     }
 
   private:
-    const StaggeredGrid                             *the_grid;
-    int                                              first_stored;
-    std::size_t                                      stride;
-    std::size_t                                      offset;
-    std::vector<double>                              data;
+    const StaggeredGrid *the_grid;
+    int                  first_stored;
+    std::size_t          stride;
+    std::size_t          offset;
+    std::vector<double>  data;
   };
 } // namespace ephyra::fluid

@@ -18,7 +18,7 @@ namespace ephyra::fluid
     std::vector<double> width;      ///< n: face[i + 1] - face[i]
     std::vector<double> centre_gap; ///< n + 1: distance of the centres beside
                                     ///< face i; half a cell at the ends
-    bool uniform; ///< all widths equal to round-off
+    bool uniform;                   ///< all widths equal to round-off
 
     /// Cell that holds x; -1 or n_cells outside.
     int

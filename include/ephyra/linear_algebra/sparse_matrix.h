@@ -15,7 +15,8 @@ namespace ephyra::linear_algebra
 
     explicit SparsityPattern(int n_rows = 0)
       : columns(n_rows)
-    {}
+    {
+    }
     int
     n_rows() const
     {
@@ -45,7 +46,9 @@ namespace ephyra::linear_algebra
       band ///< one rank only
     };
 
-    SparseMatrix(const SparsityPattern &pattern, Storage storage, MPI_Comm comm);
+    SparseMatrix(const SparsityPattern &pattern,
+                 Storage                storage,
+                 MPI_Comm               comm);
     ~SparseMatrix();
     SparseMatrix(const SparseMatrix &) = delete;
     SparseMatrix &

@@ -18,8 +18,8 @@ namespace ephyra::splines
   template <int dim>
   struct BasisValues
   {
-    std::vector<int>                     index; ///< of the control points
-    std::vector<double>                  value; ///< R_a
+    std::vector<int>                     index;      ///< of the control points
+    std::vector<double>                  value;      ///< R_a
     std::array<std::vector<double>, dim> derivative; ///< dR_a / dtheta^k
     /// Second derivatives, filled on request: dim = 1: 11; dim = 2: 11, 22, 12.
     std::array<std::vector<double>, dim == 1 ? 1 : 3> second;
