@@ -9,8 +9,12 @@ namespace ephyra::splines
   class KnotVector
   {
   public:
-    /// Throws InputError unless the knots are non-decreasing, clamped
-    /// (first and last repeated degree + 1 times) and long enough.
+    /// Highest degree; keeps the work arrays of evaluate() on the stack.
+    static constexpr int max_degree = 15;
+
+    /// Throws InputError unless the knots run from 0 to 1, do not decrease,
+    /// are clamped (first and last repeated degree + 1 times), long enough,
+    /// and no interior knot occurs more than degree times.
     KnotVector(int degree, std::vector<double> knots);
 
     /// n_elements equal spans on [0, 1], highest continuity.
