@@ -17,6 +17,15 @@ namespace ephyra::patterns
     /// Empty where @p text is allowed, else what is wrong with it, in words.
     virtual std::string
     error(const std::string &text) const = 0;
+    /// The form of an entry that is checked and kept: file names become
+    /// absolute (relative ones start at @p folder, that of the parameter file;
+    /// where no such file is there, at the working folder), and where a formula
+    /// is expected a number with a unit becomes a bare number in SI.
+    virtual std::string
+    resolve(const std::string &text, const std::string & /*folder*/) const
+    {
+      return text;
+    }
     /// What is allowed, in words: "a length between 0 and 1 m".
     virtual std::string
     description() const = 0;
@@ -132,7 +141,8 @@ namespace ephyra::patterns
   };
 
   /// A formula in the given variables, checked by muParser when it is read,
-  /// e.g. Expression({"r", "t"}, "m/s"). pi is known.
+  /// e.g. Expression({"r", "t"}, "m/s"). pi is known. A number with a unit
+  /// ("30 mm/s") is allowed too; the values of a formula are SI.
   class Expression : public PatternBase
   {
   public:
@@ -142,6 +152,8 @@ namespace ephyra::patterns
     clone() const override;
     std::string
     error(const std::string &text) const override;
+    std::string
+    resolve(const std::string &text, const std::string &folder) const override;
     std::string
     description() const override;
     std::string
@@ -163,4 +175,27 @@ namespace ephyra::patterns
     std::string
     description() const override;
   };
+
+  /// The name of an existing file, or nothing. Kept as an absolute path.
+  class InputFile : public PatternBase
+  {
+  public:
+    std::unique_ptr<PatternBase>
+    clone() const override;
+    std::string
+    error(const std::string &text) const override;
+    std::string
+    resolve(const std::string &text, const std::string &folder) const override;
+    std::string
+    description() const override;
+  };
+
+  /// For patterns that read a number of a certain unit: "" where @p text has
+  /// it, else what is wrong.
+  std::string
+  unit_error(const std::string &text, const std::string &unit);
+
+  /// The absolute path of a file that a parameter file in @p folder names.
+  std::string
+  resolve_file(const std::string &name, const std::string &folder);
 } // namespace ephyra::patterns
