@@ -1,7 +1,6 @@
 #include "ephyra/io/checkpoint.h"
 
 #include "ephyra/base/exceptions.h"
-#include "ephyra/base/log.h"
 #include "ephyra/base/mpi.h"
 #include "ephyra/io/collective.h"
 #include "ephyra/io/hdf5_archive.h"
@@ -58,7 +57,8 @@ namespace ephyra::io
   Checkpoints::write(std::int64_t step, double time, const Serialize &serialize)
   {
     char name[40];
-    std::snprintf(name, sizeof(name), "checkpoint_%09lld.h5", static_cast<long long>(step));
+    std::snprintf(
+      name, sizeof(name), "checkpoint_%09lld.h5", static_cast<long long>(step));
     const std::string file_name = folder + "/" + name;
     const std::string temporary = file_name + ".tmp";
     on_first_rank(comm, [&]() { create_folder(folder); });
@@ -82,10 +82,9 @@ namespace ephyra::io
       std::filesystem::rename(temporary, file_name, error);
       EphyraThrowIf(error,
                     InputError,
-                    "Checkpoint " << temporary << " cannot be renamed ("
-                                  << error.message()
-                                  << "): check the permissions of " << folder
-                                  << ".");
+                    "Checkpoint "
+                      << temporary << " cannot be renamed (" << error.message()
+                      << "): check the permissions of " << folder << ".");
     });
 
     const std::vector<std::string> all = files();
@@ -166,10 +165,13 @@ namespace ephyra::io
                     << folder
                     << ": name the folder of a run that has written one, or "
                        "start again without --resume.");
+    std::string warning;
     for (std::size_t i = 0; i + 1 < all.size(); ++i)
       try
         {
-          return read(all[i], serialize);
+          State state   = read(all[i], serialize);
+          state.warning = warning;
+          return state;
         }
       catch (const OtherScene &)
         {
@@ -177,9 +179,10 @@ namespace ephyra::io
         }
       catch (const InputError &error)
         {
-          log().warning(std::string(error.what()) + " Trying " + all[i + 1] +
-                        ".");
+          warning += std::string(error.what()) + " ";
         }
-    return read(all.back(), serialize);
+    State state   = read(all.back(), serialize);
+    state.warning = warning;
+    return state;
   }
 } // namespace ephyra::io

@@ -49,7 +49,9 @@ namespace ephyra::io
     {
       const uLong seed =
         crc32_z(0, reinterpret_cast<const Bytef *>(&row), sizeof(row));
-      return crc32_z(seed, static_cast<const Bytef *>(data), n_bytes);
+      return n_bytes == 0
+               ? seed
+               : crc32_z(seed, static_cast<const Bytef *>(data), n_bytes);
     }
 
     /// Sum over rows, so that it does not depend on who holds which.

@@ -38,10 +38,11 @@ namespace ephyra::io
       std::string  file;
       std::int64_t step = 0;
       double       time = 0; ///< s
+      std::string  warning;  ///< about newer files that are damaged
     };
 
-    /// Reads the newest usable checkpoint. One that is damaged is passed over
-    /// with a warning in the log if there is an older one.
+    /// Reads the newest usable checkpoint. One that is damaged is passed over,
+    /// with a warning, if there is an older one.
     State
     read_latest(const Serialize &serialize);
 

@@ -65,9 +65,8 @@ namespace
     State           state(comm);
     state.fill();
     for (int step = 1; step <= n; ++step)
-      checkpoints.write(step, 0.5 * step, [&](Archive &archive) {
-        state.serialize(archive);
-      });
+      checkpoints.write(
+        step, 0.5 * step, [&](Archive &archive) { state.serialize(archive); });
   }
 
   void
@@ -124,9 +123,8 @@ BOOST_AUTO_TEST_CASE(written_on_all_ranks_and_read_on_one)
 
   State expected(MPI_COMM_SELF), state(MPI_COMM_SELF);
   expected.fill();
-  io::Checkpoints checkpoints(folder.name,
-                              "set A = 1\nset B = 2\n",
-                              MPI_COMM_SELF);
+  io::Checkpoints checkpoints(
+    folder.name, "set A = 1\nset B = 2\n", MPI_COMM_SELF);
   checkpoints.read_latest([&](Archive &archive) { state.serialize(archive); });
   BOOST_TEST((state == expected));
 }
@@ -173,6 +171,8 @@ BOOST_AUTO_TEST_CASE(damaged_newest_is_passed_over)
   const auto      found = checkpoints.read_latest(
     [&](Archive &archive) { state.serialize(archive); });
   BOOST_TEST(found.step == 1);
+  BOOST_TEST(found.warning.find(newest + ": it is truncated") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(errors_are_one_sentence_on_all_ranks)
@@ -214,8 +214,8 @@ BOOST_AUTO_TEST_CASE(incomplete_and_unfit_files_are_refused)
 {
   const MPI_Comm    comm = MPI_COMM_WORLD;
   test::Folder      folder(comm);
-  const std::string file  = folder.name + "/a.h5";
-  std::string       scene = "set A = 1\n";
+  const std::string file    = folder.name + "/a.h5";
+  std::string       scene   = "set A = 1\n";
   std::int64_t      version = 1;
   {
     io::Hdf5Archive archive(file, io::Hdf5Archive::Mode::write, comm);
@@ -244,9 +244,9 @@ BOOST_AUTO_TEST_CASE(incomplete_and_unfit_files_are_refused)
   state.layout.n_columns = 5;
   BOOST_CHECK_EXCEPTION(
     state.serialize(archive), InputError, [](const InputError &error) {
-      return std::string(error.what()).find("body/bell/field has 7 x 4 values, "
-                                            "the scene has 7 x 5") !=
-             std::string::npos;
+      return std::string(error.what())
+               .find("body/bell/field has 7 x 4 values, "
+                     "the scene has 7 x 5") != std::string::npos;
     });
   BOOST_CHECK_EXCEPTION(
     archive.value("gamma", state.time),

@@ -18,12 +18,11 @@ namespace
   example_grid(const MPI_Comm comm)
   {
     GridOutput grid;
-    grid.r_faces = {0., 0.1, 0.25, 0.5, 0.8, 1.2};
-    grid.y_faces = {-1., 0., 2., 5.};
-    const mpi::Share share =
-      mpi::share(5, mpi::rank(comm), mpi::size(comm));
-    grid.first_row = share.first;
-    grid.n_rows    = share.count;
+    grid.r_faces           = {0., 0.1, 0.25, 0.5, 0.8, 1.2};
+    grid.y_faces           = {-1., 0., 2., 5.};
+    const mpi::Share share = mpi::share(5, mpi::rank(comm), mpi::size(comm));
+    grid.first_row         = share.first;
+    grid.n_rows            = share.count;
     GridField pressure{"pressure [Pa]", {{}}},
       velocity{"velocity <[m/s]>", {{}, {}, {}}};
     for (int i = share.first; i < share.first + share.count; ++i)
@@ -42,13 +41,13 @@ namespace
   quarter_annulus()
   {
     BezierOutput body;
-    body.name                  = "ring";
-    body.degree                = {{2, 1}};
-    const double w             = std::sqrt(0.5);
-    body.r                     = {1, 1, 0, 2, 2, 0};
-    body.y                     = {0, 1, 1, 0, 2, 2};
-    body.weight                = {1, w, 1, 1, w, 1};
-    body.point_fields          = {{"index [1]", 1, {0, 1, 2, 3, 4, 5}}};
+    body.name         = "ring";
+    body.degree       = {{2, 1}};
+    const double w    = std::sqrt(0.5);
+    body.r            = {1, 1, 0, 2, 2, 0};
+    body.y            = {0, 1, 1, 0, 2, 2};
+    body.weight       = {1, w, 1, 1, w, 1};
+    body.point_fields = {{"index [1]", 1, {0, 1, 2, 3, 4, 5}}};
     return body;
   }
 } // namespace
@@ -57,16 +56,16 @@ BOOST_AUTO_TEST_SUITE(vtk)
 
 BOOST_AUTO_TEST_CASE(flow_pieces_hold_the_cells_of_their_rank)
 {
-  const MPI_Comm  comm = MPI_COMM_WORLD;
-  test::Folder    folder(comm);
+  const MPI_Comm comm = MPI_COMM_WORLD;
+  test::Folder   folder(comm);
   io::write_flow(folder.name + "/flow", example_grid(comm), comm);
 
-  const mpi::Share share = mpi::share(5, mpi::rank(comm), mpi::size(comm));
+  const mpi::Share      share = mpi::share(5, mpi::rank(comm), mpi::size(comm));
   const test::VtkReader piece(folder.name + "/flow_" +
                               std::to_string(mpi::rank(comm)) + ".vtr");
-  const auto pressure = piece.array<float>("pressure [Pa]");
-  const auto velocity = piece.array<float>("velocity &lt;[m/s]&gt;");
-  const auto r        = piece.array<double>("r [m]");
+  const auto            pressure = piece.array<float>("pressure [Pa]");
+  const auto            velocity = piece.array<float>("velocity &lt;[m/s]&gt;");
+  const auto            r        = piece.array<double>("r [m]");
   BOOST_REQUIRE_EQUAL(pressure.size(), 3 * share.count);
   BOOST_REQUIRE_EQUAL(velocity.size(), 9 * share.count);
   BOOST_REQUIRE_EQUAL(r.size(), share.count + 1);
@@ -176,13 +175,13 @@ BOOST_AUTO_TEST_CASE(series_grows_and_survives_a_restart)
 {
   const MPI_Comm     comm = MPI_COMM_WORLD;
   test::Folder       folder(comm);
-  const BezierOutput body = quarter_annulus();
+  const BezierOutput body  = quarter_annulus();
   const auto         times = [&]() {
     MPI_Barrier(comm);
     std::vector<std::string> found;
-    const std::string text = test::read_file(folder.name + "/ring.pvd");
-    for (std::size_t at = 0; (at = text.find("timestep=\"", at)) !=
-                             std::string::npos;)
+    const std::string        text = test::read_file(folder.name + "/ring.pvd");
+    for (std::size_t at = 0;
+         (at = text.find("timestep=\"", at)) != std::string::npos;)
       {
         at += 10;
         found.push_back(text.substr(at, text.find('"', at) - at));
@@ -232,11 +231,12 @@ BOOST_AUTO_TEST_CASE(series_grows_and_survives_a_restart)
 BOOST_AUTO_TEST_CASE(unwritable_folder_is_one_error_on_all_ranks)
 {
   const BezierOutput body = quarter_annulus();
-  io::PvdCollection series("/proc/ephyra", "ring", MPI_COMM_WORLD);
+  io::PvdCollection  series("/proc/ephyra", "ring", MPI_COMM_WORLD);
   BOOST_CHECK_EXCEPTION(
     series.write(0., body), InputError, [](const InputError &error) {
-      return std::string(error.what()).find("/proc/ephyra/ring cannot be "
-                                            "created") != std::string::npos;
+      return std::string(error.what())
+               .find("/proc/ephyra/ring cannot be "
+                     "created") != std::string::npos;
     });
 }
 

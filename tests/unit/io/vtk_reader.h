@@ -57,7 +57,8 @@ namespace ephyra::test
   {
     explicit VtkReader(const std::string &file_name)
       : text(read_file(file_name))
-    {}
+    {
+    }
 
     template <typename T>
     std::vector<T>
