@@ -26,11 +26,14 @@ namespace ephyra::linear_algebra
     name() const = 0;
   };
 
-  /// Amesos2 (KLU2) for Tpetra storage, LAPACK's band LU for band storage.
+  /// Amesos2 (KLU2) for Tpetra storage, LAPACK's band LU for band storage
+  /// (full LU where the band fills the matrix). KLU2 is serial: with several
+  /// ranks each factorises a gathered copy, and solve() is not collective.
   std::unique_ptr<DirectSolver>
   make_direct_solver(SparseMatrix::Storage storage, const std::string &what);
 
-  /// Band storage on one rank, Tpetra otherwise.
+  /// Band storage on one rank for a narrow band or a small matrix, Tpetra
+  /// otherwise.
   SparseMatrix::Storage
   preferred_storage(const SparsityPattern &pattern, MPI_Comm comm);
 } // namespace ephyra::linear_algebra

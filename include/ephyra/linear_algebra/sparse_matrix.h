@@ -35,8 +35,9 @@ namespace ephyra::linear_algebra
 
   /// A square sparse matrix distributed over ranks by rows. It lives in one of
   /// two forms chosen when it is made: a Tpetra::CrsMatrix (any communicator)
-  /// or, on one rank, LAPACK band storage. Any rank may add to any entry of
-  /// the pattern; finish_assembly() sends the sums to the owners.
+  /// or, on one rank, LAPACK band storage (full storage where the band nearly
+  /// fills the matrix). Any rank may add to any entry of the pattern;
+  /// finish_assembly() sends the sums to the owners.
   class SparseMatrix
   {
   public:
@@ -46,6 +47,8 @@ namespace ephyra::linear_algebra
       band ///< one rank only
     };
 
+    /// The pattern must be compressed and equal on all ranks. Throws
+    /// InputError for band storage on more than one rank.
     SparseMatrix(const SparsityPattern &pattern,
                  Storage                storage,
                  MPI_Comm               comm);
@@ -78,6 +81,11 @@ namespace ephyra::linear_algebra
     void
     multiply(const std::vector<double> &x, std::vector<double> &y) const;
 
+    /// Largest magnitude of each row, replicated; NaN where a row holds a
+    /// value that is not finite; collective.
+    std::vector<double>
+    row_norms() const;
+
     struct Implementation;
     Implementation &
     implementation() const
@@ -86,6 +94,7 @@ namespace ephyra::linear_algebra
     }
 
   private:
+    Storage                         form;
     std::unique_ptr<Implementation> impl;
   };
 } // namespace ephyra::linear_algebra

@@ -1,0 +1,25 @@
+#include "ephyra/linear_algebra/direct_solver.h"
+
+#include "ephyra/base/mpi.h"
+#include "solvers.h"
+
+namespace ephyra::linear_algebra
+{
+  std::unique_ptr<DirectSolver>
+  make_direct_solver(const SparseMatrix::Storage storage,
+                     const std::string          &what)
+  {
+    return storage == SparseMatrix::Storage::band ? make_lapack_solver(what)
+                                                  : make_amesos_solver(what);
+  }
+
+  SparseMatrix::Storage
+  preferred_storage(const SparsityPattern &pattern, const MPI_Comm comm)
+  {
+    // A wide band costs more than the sparse factors, unless it is small.
+    const int  n      = pattern.n_rows();
+    const bool narrow = 6 * pattern.half_bandwidth() < n || n < 400;
+    return mpi::size(comm) == 1 && narrow ? SparseMatrix::Storage::band
+                                          : SparseMatrix::Storage::tpetra;
+  }
+} // namespace ephyra::linear_algebra

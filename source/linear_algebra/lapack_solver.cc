@@ -1,0 +1,169 @@
+#include "band_matrix.h"
+#include "ephyra/base/exceptions.h"
+#include "factorization_check.h"
+#include "solvers.h"
+
+#include <algorithm>
+
+extern "C"
+{
+  void
+  dgbtrf_(const int *rows,
+          const int *columns,
+          const int *lower,
+          const int *upper,
+          double    *band,
+          const int *stride,
+          int       *pivots,
+          int       *info);
+  void
+  dgbtrs_(const char   *transposed,
+          const int    *n,
+          const int    *lower,
+          const int    *upper,
+          const int    *n_right_hand_sides,
+          const double *band,
+          const int    *stride,
+          const int    *pivots,
+          double       *solution,
+          const int    *solution_stride,
+          int          *info);
+  void
+  dgetrf_(const int *rows,
+          const int *columns,
+          double    *matrix,
+          const int *stride,
+          int       *pivots,
+          int       *info);
+  void
+  dgetrs_(const char   *transposed,
+          const int    *n,
+          const int    *n_right_hand_sides,
+          const double *matrix,
+          const int    *stride,
+          const int    *pivots,
+          double       *solution,
+          const int    *solution_stride,
+          int          *info);
+}
+
+namespace ephyra::linear_algebra
+{
+  namespace
+  {
+    /// LU with partial pivoting of the transposed matrix, which row-wise
+    /// storage is to LAPACK; solved transposed again.
+    class LapackSolver final : public DirectSolver
+    {
+    public:
+      explicit LapackSolver(std::string what)
+        : what(std::move(what))
+      {
+      }
+
+      void
+      factorize(const SparseMatrix &matrix) override
+      {
+        EphyraThrowIf(matrix.storage() != SparseMatrix::Storage::band,
+                      InputError,
+                      "The band solver of " << what
+                                            << " needs a matrix in band "
+                                               "storage.");
+        const auto &band =
+          dynamic_cast<const BandMatrix &>(matrix.implementation());
+        const std::vector<double> norms = check_rows(matrix, what);
+
+        n    = band.n_rows;
+        b    = band.half_bandwidth;
+        full = band.full;
+        pivots.resize(n);
+        int info = 0;
+        if (full)
+          {
+            factors = band.values;
+            dgetrf_(&n, &n, factors.data(), &n, pivots.data(), &info);
+          }
+        else
+          {
+            // LAPACK wants b more rows above the band, for the pivoting.
+            stride = 3 * b + 1;
+            factors.assign(static_cast<std::size_t>(n) * stride, 0.);
+            for (int row = 0; row < n; ++row)
+              {
+                const int first = band.first_column(row);
+                std::copy_n(band.row_values(row),
+                            band.last_column(row) - first,
+                            &factors[static_cast<std::size_t>(row) * stride +
+                                     2 * b + first - row]);
+              }
+            dgbtrf_(
+              &n, &n, &b, &b, factors.data(), &stride, pivots.data(), &info);
+          }
+        EphyraThrowIf(info != 0,
+                      DivergedError,
+                      "The matrix of "
+                        << what << " is singular: unknown " << info - 1
+                        << " is not determined; check supports and "
+                           "constraints.");
+        check_factors(*this, norms, what);
+      }
+
+      void
+      solve(const std::vector<double> &right_hand_side,
+            std::vector<double>       &solution) const override
+      {
+        EphyraThrowIf(static_cast<int>(right_hand_side.size()) != n,
+                      InputError,
+                      "The right-hand side of "
+                        << what << " has " << right_hand_side.size()
+                        << " entries, the factorised matrix " << n << " rows.");
+        solution      = right_hand_side;
+        const int one = 1;
+        int       info;
+        if (full)
+          dgetrs_("T",
+                  &n,
+                  &one,
+                  factors.data(),
+                  &n,
+                  pivots.data(),
+                  solution.data(),
+                  &n,
+                  &info);
+        else
+          dgbtrs_("T",
+                  &n,
+                  &b,
+                  &b,
+                  &one,
+                  factors.data(),
+                  &stride,
+                  pivots.data(),
+                  solution.data(),
+                  &n,
+                  &info);
+      }
+
+      std::string
+      name() const override
+      {
+        return "LAPACK band";
+      }
+
+    private:
+      const std::string   what;
+      int                 n      = 0;
+      int                 b      = 0;
+      int                 stride = 0;
+      bool                full   = false;
+      std::vector<double> factors;
+      std::vector<int>    pivots;
+    };
+  } // namespace
+
+  std::unique_ptr<DirectSolver>
+  make_lapack_solver(const std::string &what)
+  {
+    return std::make_unique<LapackSolver>(what);
+  }
+} // namespace ephyra::linear_algebra
