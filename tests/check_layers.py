@@ -4,7 +4,8 @@
   - A file includes its own folder and those folders below it in the table
     VISIBLE; physics folders never see each other.
   - Headers of Trilinos, HDF5 and muParser stay in the sources of one folder.
-  - source/X/y.cc has its header include/ephyra/X/y.h; headers carry
+  - source/X/y.cc has its header include/ephyra/X/y.h, or source/X/y.h where
+    nobody else needs it; headers carry
     `#pragma once`; both name the namespace of their folder.
   - No source file is longer than MAX_LINES lines.
 
@@ -65,7 +66,7 @@ def check_namespace(name, folder, text, report):
 def check_tree(root, report):
     """Calls report(text) for every violation below the folder root."""
     files = sorted(root.glob("include/ephyra/**/*.h")) + sorted(
-        root.glob("source/*/**/*.cc"))
+        root.glob("source/*/**/*.cc")) + sorted(root.glob("source/*/**/*.h"))
     for path in files:
         name = path.relative_to(root).as_posix()
         parts = path.relative_to(root).parts
@@ -79,7 +80,8 @@ def check_tree(root, report):
         if path.suffix == ".h" and "#pragma once" not in text:
             report(f"{name}: #pragma once is missing")
         header = root / "include" / "ephyra" / pathlib.Path(*parts[1:]).with_suffix(".h")
-        if path.suffix == ".cc" and not header.exists():
+        if (path.suffix == ".cc" and not header.exists()
+                and not path.with_suffix(".h").exists()):
             report(f"{name}: its header {header.relative_to(root)} is missing")
 
     others = [path for pattern in ("tests/**/*.cc", "tests/**/*.h", "tests/**/*.py",

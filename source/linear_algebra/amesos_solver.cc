@@ -1,7 +1,7 @@
+#include "amesos_solver.h"
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/mpi.h"
 #include "factorization_check.h"
-#include "solvers.h"
 #include "tpetra_matrix.h"
 
 #include <Amesos2.hpp>

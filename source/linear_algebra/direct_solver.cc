@@ -1,7 +1,8 @@
 #include "ephyra/linear_algebra/direct_solver.h"
 
+#include "amesos_solver.h"
 #include "ephyra/base/mpi.h"
-#include "solvers.h"
+#include "lapack_solver.h"
 
 namespace ephyra::linear_algebra
 {

@@ -1,7 +1,7 @@
+#include "lapack_solver.h"
 #include "band_matrix.h"
 #include "ephyra/base/exceptions.h"
 #include "factorization_check.h"
-#include "solvers.h"
 
 #include <algorithm>
 

@@ -6,7 +6,4 @@ namespace ephyra::linear_algebra
 {
   std::unique_ptr<DirectSolver>
   make_lapack_solver(const std::string &what);
-
-  std::unique_ptr<DirectSolver>
-  make_amesos_solver(const std::string &what);
 } // namespace ephyra::linear_algebra
