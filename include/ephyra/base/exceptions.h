@@ -9,10 +9,11 @@ namespace ephyra
   /// Exit codes of the program; scripts rely on them.
   enum class ExitCode : int
   {
-    success     = 0,
-    input_error = 1, ///< parameters, files or folders of the user
-    diverged    = 2, ///< a computation that failed or was not accepted
-    interrupted = 3  ///< stopped early; a checkpoint allows to resume
+    success        = 0,
+    input_error    = 1, ///< parameters, files or folders of the user
+    diverged       = 2, ///< a computation that failed or was not accepted
+    interrupted    = 3, ///< stopped early; a checkpoint allows to resume
+    internal_error = 4  ///< a mistake in the program, or no memory left
   };
 
   /// An error with a message for the user: one clean sentence that says what

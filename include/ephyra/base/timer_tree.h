@@ -3,7 +3,6 @@
 #include <mpi.h>
 
 #include <iosfwd>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,7 +16,8 @@ namespace ephyra
   {
   public:
     /// Measures its own life time as a phase below the one that is running.
-    /// @p unknowns is what one call works on (0: not stated).
+    /// @p unknowns is what one call works on, on this rank (0: not stated).
+    /// Names hold no '/'.
     class Scope
     {
     public:
@@ -36,7 +36,7 @@ namespace ephyra
     ~TimerTree();
 
     /// The tree as text: seconds (largest over the ranks), share of the whole,
-    /// calls, ns for each unknown. Collective.
+    /// calls, ns for each unknown that a rank works on. Collective.
     void
     print(std::ostream &out, MPI_Comm comm) const;
 
@@ -51,6 +51,10 @@ namespace ephyra
 
   private:
     struct Node;
+    struct Row;
+    std::vector<Row>
+    rows(MPI_Comm comm) const;
+
     std::unique_ptr<Node> root;
     Node                 *current;
     double                birth;

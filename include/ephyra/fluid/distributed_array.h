@@ -1,10 +1,10 @@
 #pragma once
 
 #include "ephyra/base/archive.h"
+#include "ephyra/fluid/aligned_vector.h"
 #include "ephyra/fluid/staggered_grid.h"
 
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace ephyra::fluid
@@ -60,14 +60,18 @@ namespace ephyra::fluid
     /// ghosts at the ends of the domain are left alone. Collective.
     void
     exchange_halo();
+    /// The same for several arrays of one grid in one message each way.
+    static void
+    exchange_halos(const std::vector<DistributedArray *> &arrays);
     /// Adds what was put into halo rows to the rows of their owners and zeroes
     /// the halo rows (the transpose of exchange_halo()). Collective.
     void
     add_halo_to_owner();
 
-    /// Owned rows 0 ... n_columns - 1, for archives.
+    /// Owned rows 0 ... n_columns - 1, for archives; with row n_r where
+    /// @p with_last_face (the radial velocity).
     RowLayout
-    layout(int n_columns) const;
+    layout(int n_columns, bool with_last_face = false) const;
 
     const StaggeredGrid &
     grid() const
@@ -80,6 +84,6 @@ namespace ephyra::fluid
     int                  first_stored;
     std::size_t          stride;
     std::size_t          offset;
-    std::vector<double>  data;
+    AlignedVector        data;
   };
 } // namespace ephyra::fluid

@@ -10,6 +10,7 @@ namespace ephyra::fluid
   /// finite differences need, m. Index 0 is the first cell; faces 0 ... n.
   struct GridLine
   {
+    /// Throws InputError unless the faces increase and there are two cells.
     explicit GridLine(std::vector<double> faces);
 
     int                 n_cells;
@@ -19,6 +20,18 @@ namespace ephyra::fluid
     std::vector<double> centre_gap; ///< n + 1: distance of the centres beside
                                     ///< face i; half a cell at the ends
     bool uniform;                   ///< all widths equal to round-off
+
+    double
+    length() const
+    {
+      return face.back() - face.front();
+    }
+    /// Smallest width of a cell, m.
+    double
+    smallest_width() const;
+    /// Largest ratio of the widths of two neighbouring cells, >= 1.
+    double
+    largest_ratio() const;
 
     /// Cell that holds x; -1 or n_cells outside.
     int
@@ -32,6 +45,9 @@ namespace ephyra::fluid
   class StaggeredGrid
   {
   public:
+    /// In a periodic direction the centre gap of the first and the last face is
+    /// the distance across the seam. Throws InputError where the grid does not
+    /// start at the axis r = 0 or has fewer than two rows for each rank.
     StaggeredGrid(GridLine r, GridLine y, bool periodic_y, MPI_Comm comm);
 
     const GridLine r;
