@@ -43,6 +43,9 @@ namespace ephyra::splines
   class NurbsPatch
   {
   public:
+    /// Parameters (theta^1, ...) of a point.
+    using Parameter = std::array<double, dim>;
+
     /// Throws InputError where sizes do not match or a weight is not positive.
     NurbsPatch(std::vector<KnotVector> knot_vectors,
                std::vector<Point>      control_points,
