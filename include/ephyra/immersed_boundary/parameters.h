@@ -1,0 +1,55 @@
+#pragma once
+
+namespace ephyra
+{
+  class ParameterHandler;
+}
+
+namespace ephyra::immersed_boundary
+{
+  /// Weight of the moving least squares in one direction, with d the distance
+  /// over the half width of the support.
+  enum class WeightFunction
+  {
+    exponential, ///< exp(-(d / width)^2)
+    cubic_spline ///< 2/3 - 4d^2 + 4d^3, then 4/3 (1 - d)^3
+  };
+
+  /// How the marker forces follow from the missing velocities.
+  enum class ForcingSolver
+  {
+    sweeps, ///< a number of forcing sweeps
+    exact   ///< no-slip at the markers before the projection
+  };
+
+  /// Friction at the wall from the velocity off the wall.
+  enum class FrictionFormula
+  {
+    one_point, ///< velocity gradient at the probe
+    quadratic  ///< parabola through the wall, h and 2h
+  };
+
+  /// Parameters of the immersed boundary, section "Immersed boundary" of a
+  /// scene. Lengths are multiples of the local cell size.
+  struct Parameters
+  {
+    double         marker_spacing    = 0.5;
+    double         largest_spacing   = 1.;
+    WeightFunction weight            = WeightFunction::exponential;
+    double         half_width        = 1.6;
+    double         exponential_width = 0.3;
+
+    ForcingSolver forcing_solver = ForcingSolver::sweeps;
+    int           forcing_sweeps = 3;
+    double        inward_shift   = 0.;
+
+    double          probe_length      = 1.5;
+    bool            wall_acceleration = true;
+    FrictionFormula friction          = FrictionFormula::quadratic;
+
+    static void
+    declare(ParameterHandler &prm);
+    void
+    parse(ParameterHandler &prm);
+  };
+} // namespace ephyra::immersed_boundary

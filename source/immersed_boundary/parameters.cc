@@ -1,0 +1,91 @@
+#include "ephyra/immersed_boundary/parameters.h"
+
+#include "ephyra/base/parameter_handler.h"
+
+namespace ephyra::immersed_boundary
+{
+  void
+  Parameters::declare(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Immersed boundary");
+    prm.declare_entry("Marker spacing",
+                      "0.5",
+                      patterns::Double("", 0.05, 0.6),
+                      "Distance of two markers over the local cell size when "
+                      "they are placed. Leakage grows above 0.6; a deforming "
+                      "body stretches the distance.");
+    prm.declare_entry("Largest marker spacing",
+                      "1",
+                      patterns::Double("", 0.6, 2.),
+                      "Distance of two markers over the local cell size at "
+                      "which a run stops because the surface is no longer "
+                      "closed.");
+    prm.declare_entry("Weight function",
+                      "exponential",
+                      patterns::Selection("exponential|cubic spline"),
+                      "Weight of the moving least squares, in each direction.");
+    prm.declare_entry("Half width",
+                      "1.6",
+                      patterns::Double("", 1.5, 3.),
+                      "Half width of the moving-least-squares support over the "
+                      "local cell size.");
+    prm.declare_entry("Exponential width",
+                      "0.3",
+                      patterns::Double("", 0.2, 1.),
+                      "Width of the exponential weight over the half width of "
+                      "the support.");
+    prm.declare_entry("Forcing",
+                      "sweeps",
+                      patterns::Selection("sweeps|exact"),
+                      "Marker forces by a number of forcing sweeps, or so that "
+                      "the velocity before the projection meets the no-slip "
+                      "condition at every marker.");
+    prm.declare_entry("Forcing sweeps",
+                      "3",
+                      patterns::Integer(1, 1000),
+                      "Number of forcing sweeps.");
+    prm.declare_entry("Inward shift",
+                      "0",
+                      patterns::Double("", 0., 1.),
+                      "Distance by which the forcing points are drawn into the "
+                      "body along the normal, over the local cell size.");
+    prm.declare_entry("Probe length",
+                      "1.5",
+                      patterns::Double("", 0.5, 5.),
+                      "Distance from the surface at which pressure and "
+                      "velocity are taken for the loads, over the local cell "
+                      "size.");
+    prm.declare_entry("Wall acceleration in the pressure",
+                      "true",
+                      patterns::Bool(),
+                      "Whether the pressure is carried from the probe to the "
+                      "wall with the normal acceleration of the wall.");
+    prm.declare_entry("Friction",
+                      "quadratic",
+                      patterns::Selection("one-point|quadratic"),
+                      "Wall friction from the velocity gradient at the probe, "
+                      "or from a parabola through the wall and the points at "
+                      "one and two probe lengths.");
+  }
+
+  void
+  Parameters::parse(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Immersed boundary");
+    marker_spacing    = prm.get_double("Marker spacing");
+    largest_spacing   = prm.get_double("Largest marker spacing");
+    weight            = prm.get("Weight function") == "exponential"
+                          ? WeightFunction::exponential
+                          : WeightFunction::cubic_spline;
+    half_width        = prm.get_double("Half width");
+    exponential_width = prm.get_double("Exponential width");
+    forcing_solver    = prm.get("Forcing") == "exact" ? ForcingSolver::exact
+                                                      : ForcingSolver::sweeps;
+    forcing_sweeps    = prm.get_integer("Forcing sweeps");
+    inward_shift      = prm.get_double("Inward shift");
+    probe_length      = prm.get_double("Probe length");
+    wall_acceleration = prm.get_bool("Wall acceleration in the pressure");
+    friction = prm.get("Friction") == "quadratic" ? FrictionFormula::quadratic
+                                                  : FrictionFormula::one_point;
+  }
+} // namespace ephyra::immersed_boundary

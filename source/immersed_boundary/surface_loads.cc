@@ -1,0 +1,253 @@
+#include "ephyra/immersed_boundary/surface_loads.h"
+
+#include "ephyra/base/exceptions.h"
+#include "ephyra/base/log.h"
+#include "ephyra/base/mpi.h"
+
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace ephyra::immersed_boundary
+{
+  namespace
+  {
+    constexpr int n_sums         = 5; ///< pressure and four of the velocity
+    constexpr int largest_halves = 4;
+
+    /// Finds whether a point lies just below some part of the surface: the
+    /// nearest marker in the cells around it tells the side.
+    class SideOfSurface
+    {
+    public:
+      SideOfSurface(const Markers &markers, const fluid::StaggeredGrid &grid)
+        : state(markers.state())
+        , grid(grid)
+      {
+        for (int l = 0; l < markers.size(); ++l)
+          markers_in_cell[number(state.r[l], state.y[l], 0, 0)].push_back(l);
+      }
+
+      bool
+      inside(const double r, const double y) const
+      {
+        double nearest = 1e300, side = 1;
+        for (int i = -1; i <= 1; ++i)
+          for (int j = -1; j <= 1; ++j)
+            {
+              const auto cell = markers_in_cell.find(number(r, y, i, j));
+              if (cell == markers_in_cell.end())
+                continue;
+              for (const int l : cell->second)
+                {
+                  const double dr = r - state.r[l], dy = y - state.y[l];
+                  if (const double d = dr * dr + dy * dy; d < nearest)
+                    {
+                      nearest = d;
+                      side    = dr * state.n_r[l] + dy * state.n_y[l];
+                    }
+                }
+            }
+        return side < 0;
+      }
+
+    private:
+      std::int64_t
+      number(const double r, const double y, const int i, const int j) const
+      {
+        return static_cast<std::int64_t>(grid.r.cell_of(r) + i) *
+                 (grid.y.n_cells + 2) +
+               grid.y.cell_of(y) + j;
+      }
+
+      const MarkerState                                 &state;
+      const fluid::StaggeredGrid                        &grid;
+      std::unordered_map<std::int64_t, std::vector<int>> markers_in_cell;
+    };
+
+    double
+    apply(const Stencil                 &s,
+          const fluid::DistributedArray &u,
+          const int                      begin,
+          const int                      end)
+    {
+      double sum = 0;
+      for (int a = 0; a < 3; ++a)
+        if (s.row[a] >= begin && s.row[a] < end)
+          {
+            const double *row = u.row(s.row[a]);
+            for (int b = 0; b < 3; ++b)
+              sum += s.value[a][b] * row[s.column[b]];
+          }
+      return sum;
+    }
+  } // namespace
+
+  SurfaceLoads::SurfaceLoads(const fluid::StaggeredGrid &grid,
+                             const double                density,
+                             const double                viscosity,
+                             const Parameters           &parameters)
+    : mls(grid, parameters)
+    , density(density)
+    , viscosity(viscosity)
+    , parameters(parameters)
+  {
+  }
+
+  void
+  SurfaceLoads::update(const Markers &markers)
+  {
+    using Line            = MovingLeastSquares::Line;
+    const MarkerState  &m = markers.state();
+    const SideOfSurface side(markers, mls.grid());
+    const auto          valid = [&](const double r, const double y) {
+      return mls.contains(r, y) && !side.inside(r, y);
+    };
+    const int before = n_shortened;
+    n_shortened      = 0;
+    probes.resize(markers.size());
+    for (int l = 0; l < markers.size(); ++l)
+      {
+        Probe       &probe = probes[l];
+        const double n_r = m.n_r[l], n_y = m.n_y[l];
+        probe.h =
+          parameters.probe_length * mls.cell_size(m.r[l], m.y[l], n_r, n_y);
+        int halves = 0;
+        while (halves < largest_halves &&
+               !valid(m.r[l] + probe.h * n_r, m.y[l] + probe.h * n_y))
+          {
+            probe.h *= 0.5;
+            ++halves;
+          }
+        EphyraThrowIf(halves == largest_halves,
+                      DivergedError,
+                      "No probe fits in front of body '"
+                        << markers.curves()[markers.curve(l)].name
+                        << "' at (r, y) = (" << m.r[l] << ", " << m.y[l]
+                        << ") m: it touches the end of the grid or another "
+                           "body; end the run earlier or refine the grid.");
+        n_shortened += halves > 0;
+
+        const double r1 = m.r[l] + probe.h * n_r, y1 = m.y[l] + probe.h * n_y;
+        const Line   rc = mls.r_centres(r1), yc = mls.y_centres(y1);
+        const Line   rf = mls.r_faces(r1), yf = mls.y_faces(y1);
+        probe.p = MovingLeastSquares::value(rc, yc);
+        if (parameters.friction == FrictionFormula::one_point)
+          {
+            probe.v = {MovingLeastSquares::derivative_r(rf, yc),
+                       MovingLeastSquares::derivative_y(rf, yc),
+                       MovingLeastSquares::derivative_r(rc, yf),
+                       MovingLeastSquares::derivative_y(rc, yf)};
+            continue;
+          }
+        const double r2 = r1 + probe.h * n_r, y2 = y1 + probe.h * n_y;
+        probe.has_second = valid(r2, y2);
+        probe.v[0]       = MovingLeastSquares::value(rf, yc);
+        probe.v[2]       = MovingLeastSquares::value(rc, yf);
+        probe.v[1]       = probe.v[0];
+        probe.v[3]       = probe.v[2];
+        if (probe.has_second)
+          {
+            probe.v[1] =
+              MovingLeastSquares::value(mls.r_faces(r2), mls.y_centres(y2));
+            probe.v[3] =
+              MovingLeastSquares::value(mls.r_centres(r2), mls.y_faces(y2));
+          }
+      }
+    if (before == 0 && n_shortened > 0)
+      log().warning(std::to_string(n_shortened) +
+                    " load probes were shortened because they reached a body "
+                    "or the end of the grid.");
+  }
+
+  void
+  SurfaceLoads::evaluate(const Markers                 &markers,
+                         const fluid::DistributedArray &pressure,
+                         const fluid::DistributedArray &v_r,
+                         const fluid::DistributedArray &v_y)
+  {
+    const fluid::StaggeredGrid &grid  = mls.grid();
+    const int                   n     = markers.size();
+    const int                   begin = grid.first_row, end = grid.end_row();
+    const int end_of_faces = end + (grid.is_last_rank() ? 1 : 0);
+    sums.resize(n_sums * n);
+    for (int l = 0; l < n; ++l)
+      {
+        double      *s     = sums.data() + n_sums * l;
+        const Probe &probe = probes[l];
+        s[0]               = apply(probe.p, pressure, begin, end);
+        s[1]               = apply(probe.v[0], v_r, begin, end_of_faces);
+        s[2]               = apply(probe.v[1], v_r, begin, end_of_faces);
+        s[3]               = apply(probe.v[2], v_y, begin, end);
+        s[4]               = apply(probe.v[3], v_y, begin, end);
+      }
+    mpi::sum_in_place(sums, grid.communicator());
+
+    const MarkerState &m = markers.state();
+    t.resize(2 * n);
+    p_wall.resize(n);
+    for (int l = 0; l < n; ++l)
+      {
+        const double *s   = sums.data() + n_sums * l;
+        const double  h   = probes[l].h;
+        const double  n_r = m.n_r[l], n_y = m.n_y[l];
+        p_wall[l] = s[0];
+        if (parameters.wall_acceleration)
+          p_wall[l] += density * h * (m.a_r[l] * n_r + m.a_y[l] * n_y);
+
+        double L_rr = s[1], L_ry = s[2], L_yr = s[3], L_yy = s[4];
+        if (parameters.friction == FrictionFormula::quadratic)
+          {
+            double g_r = (s[1] - m.v_r[l]) / h, g_y = (s[3] - m.v_y[l]) / h;
+            if (probes[l].has_second)
+              {
+                g_r = (-3 * m.v_r[l] + 4 * s[1] - s[2]) / (2 * h);
+                g_y = (-3 * m.v_y[l] + 4 * s[3] - s[4]) / (2 * h);
+              }
+            L_rr = g_r * n_r + m.dv_r_ds[l] * m.t_r[l];
+            L_ry = g_r * n_y + m.dv_r_ds[l] * m.t_y[l];
+            L_yr = g_y * n_r + m.dv_y_ds[l] * m.t_r[l];
+            L_yy = g_y * n_y + m.dv_y_ds[l] * m.t_y[l];
+          }
+        const double shear = L_ry + L_yr;
+        t[l] = -p_wall[l] * n_r + viscosity * (2 * L_rr * n_r + shear * n_y);
+        t[n + l] =
+          -p_wall[l] * n_y + viscosity * (shear * n_r + 2 * L_yy * n_y);
+      }
+  }
+
+  std::vector<double>
+  SurfaceLoads::marker_forces(const Markers &markers) const
+  {
+    const MarkerState  &m = markers.state();
+    const int           n = markers.size();
+    std::vector<double> force(2 * n);
+    for (int l = 0; l < n; ++l)
+      {
+        const double area = 2 * M_PI * m.r[l] * m.length[l];
+        force[l]          = t[l] * area;
+        force[n + l]      = t[n + l] * area;
+      }
+    return force;
+  }
+
+  SurfaceLoads::AxialForce
+  SurfaceLoads::axial_force(const Markers &markers,
+                            const int      first_curve,
+                            const int      last_curve) const
+  {
+    const MarkerState &m = markers.state();
+    const int          n = markers.size();
+    AxialForce         force;
+    for (int l = markers.first_of_curve()[first_curve];
+         l < markers.first_of_curve()[last_curve];
+         ++l)
+      {
+        const double area     = 2 * M_PI * m.r[l] * m.length[l];
+        const double pressure = -p_wall[l] * m.n_y[l];
+        force.pressure += pressure * area;
+        force.friction += (t[n + l] - pressure) * area;
+      }
+    return force;
+  }
+} // namespace ephyra::immersed_boundary
