@@ -233,8 +233,9 @@ namespace ephyra::immersed_boundary
     // C^1/2 Phi Phi^T C^1/2 = C^1/2 M C^-1/2.
     inverse[component] = std::make_unique<Inverse>();
     Inverse &in        = *inverse[component];
-    in.root_of_scale =
-      Vector(scale[component].data(), n).cwiseMax(1e-12).cwiseSqrt();
+    in.root_of_scale.resize(n);
+    for (int l = 0; l < n; ++l)
+      in.root_of_scale[l] = std::sqrt(std::max(scale[component][l], 1e-12));
     Eigen::SparseMatrix<double> A =
       in.root_of_scale.asDiagonal() * M[component] *
       in.root_of_scale.cwiseInverse().asDiagonal();
@@ -250,16 +251,14 @@ namespace ephyra::immersed_boundary
   }
 
   void
-  DirectForcing::interpolate(const fluid::DistributedArray &u_r,
-                             const fluid::DistributedArray &u_y,
-                             std::vector<double>           &Ju) const
+  DirectForcing::interpolate(const fluid::VelocityField &velocity, std::vector<double> &Ju) const
   {
     const fluid::StaggeredGrid &grid = mls.grid();
     const int                   n    = n_markers();
     Ju.assign(2 * n, 0.);
     for (int c = 0; c < 2; ++c)
       {
-        const fluid::DistributedArray &u = c == 0 ? u_r : u_y;
+        const fluid::DistributedArray &u = c == 0 ? velocity.r : velocity.y;
         // The radial velocity on the outer wall is a row of the last rank.
         const int end =
           grid.end_row() + (c == 0 && grid.is_last_rank() ? 1 : 0);
@@ -306,15 +305,13 @@ namespace ephyra::immersed_boundary
   }
 
   void
-  DirectForcing::spread(const std::vector<double> &F,
-                        fluid::DistributedArray   &u_r,
-                        fluid::DistributedArray   &u_y) const
+  DirectForcing::spread(const std::vector<double> &F, fluid::VelocityField &velocity) const
   {
     const fluid::StaggeredGrid &grid = mls.grid();
     const int                   n    = n_markers();
     for (int c = 0; c < 2; ++c)
       {
-        fluid::DistributedArray &u = c == 0 ? u_r : u_y;
+        fluid::DistributedArray &u = c == 0 ? velocity.r : velocity.y;
         for (int l = 0; l < n; ++l)
           {
             const Nodes &node  = nodes[c][l];

@@ -163,8 +163,7 @@ namespace ephyra::immersed_boundary
   void
   SurfaceLoads::evaluate(const Markers                 &markers,
                          const fluid::DistributedArray &pressure,
-                         const fluid::DistributedArray &v_r,
-                         const fluid::DistributedArray &v_y)
+                         const fluid::VelocityField &velocity)
   {
     const fluid::StaggeredGrid &grid  = mls.grid();
     const int                   n     = markers.size();
@@ -176,10 +175,10 @@ namespace ephyra::immersed_boundary
         double      *s     = sums.data() + n_sums * l;
         const Probe &probe = probes[l];
         s[0]               = apply(probe.p, pressure, begin, end);
-        s[1]               = apply(probe.v[0], v_r, begin, end_of_faces);
-        s[2]               = apply(probe.v[1], v_r, begin, end_of_faces);
-        s[3]               = apply(probe.v[2], v_y, begin, end);
-        s[4]               = apply(probe.v[3], v_y, begin, end);
+        s[1]               = apply(probe.v[0], velocity.r, begin, end_of_faces);
+        s[2]               = apply(probe.v[1], velocity.r, begin, end_of_faces);
+        s[3]               = apply(probe.v[2], velocity.y, begin, end);
+        s[4]               = apply(probe.v[3], velocity.y, begin, end);
       }
     mpi::sum_in_place(sums, grid.communicator());
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ephyra/fluid/distributed_array.h"
+#include "ephyra/fluid/velocity_field.h"
 #include "ephyra/immersed_boundary/markers.h"
 #include "ephyra/immersed_boundary/moving_least_squares.h"
 
@@ -52,9 +52,7 @@ namespace ephyra::immersed_boundary
     /// J u from the rows held here, completed by one reduction; collective.
     /// Boundary values of u have to be set, halo rows are not used.
     void
-    interpolate(const fluid::DistributedArray &u_r,
-                const fluid::DistributedArray &u_y,
-                std::vector<double>           &Ju) const;
+    interpolate(const fluid::VelocityField &u, std::vector<double> &Ju) const;
 
     /// F = T residual; every rank for itself.
     void
@@ -62,9 +60,7 @@ namespace ephyra::immersed_boundary
 
     /// Adds S F to the rows held here; not collective, halo rows are left.
     void
-    spread(const std::vector<double> &F,
-           fluid::DistributedArray   &u_r,
-           fluid::DistributedArray   &u_y) const;
+    spread(const std::vector<double> &F, fluid::VelocityField &u) const;
 
     /// w_l, m^3: the impulse on the fluid (N s, all around the axis) of marker
     /// l is density * w_l * F.

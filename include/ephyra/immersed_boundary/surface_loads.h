@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ephyra/fluid/distributed_array.h"
+#include "ephyra/fluid/velocity_field.h"
 #include "ephyra/immersed_boundary/markers.h"
 #include "ephyra/immersed_boundary/moving_least_squares.h"
 
@@ -41,8 +41,7 @@ namespace ephyra::immersed_boundary
     void
     evaluate(const Markers                 &markers,
              const fluid::DistributedArray &pressure,
-             const fluid::DistributedArray &v_r,
-             const fluid::DistributedArray &v_y);
+             const fluid::VelocityField &velocity);
 
     /// Traction on the surface, Pa: all radial components, then all axial ones.
     const std::vector<double> &

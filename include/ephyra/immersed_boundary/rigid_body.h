@@ -1,0 +1,99 @@
+#pragma once
+
+#include "ephyra/base/archive.h"
+#include "ephyra/base/expression.h"
+#include "ephyra/immersed_boundary/boundary_curve.h"
+
+#include <string>
+
+namespace ephyra
+{
+  class ParameterHandler;
+}
+
+namespace ephyra::immersed_boundary
+{
+  /// A rigid axisymmetric body that moves along the axis only: fixed, moved by
+  /// a law, or free under gravity and the loads of the fluid.
+  class RigidBody
+  {
+  public:
+    enum class Motion
+    {
+      fixed,
+      prescribed,
+      free
+    };
+    /// Fluid that the forcing leaves inside a free body (Uhlmann 2005,
+    /// 10.1016/j.jcp.2005.03.017; Kempe & Froehlich 2012,
+    /// 10.1016/j.jcp.2012.01.021).
+    enum class InteriorFluid
+    {
+      automatic, ///< rigid above a density ratio of 1.2, measured below
+      rigid,     ///< its momentum is m_f V
+      measured   ///< its momentum is integrated after the projection
+    };
+    enum class Shape
+    {
+      sphere,
+      spheroid,
+      torus,
+      disk
+    };
+
+    /// Section "Rigid body NAME".
+    struct Parameters
+    {
+      std::string   name     = "body";
+      Shape         shape    = Shape::sphere;
+      double        radius   = 0.5;  ///< of the outer rim; centre line of torus
+      double        half_length = 0.5; ///< of a spheroid along y
+      double        core_radius = 0.1; ///< of a torus
+      double        thickness   = 0.1; ///< of a disk
+      double        centre_y    = 0;
+      Motion        motion      = Motion::fixed;
+      std::string   velocity    = "0"; ///< law, m/s in t
+      double        density     = 1000;
+      double        gravity     = -9.81; ///< along y
+      InteriorFluid interior    = InteriorFluid::automatic;
+
+      static void
+      declare(ParameterHandler &prm);
+      void
+      parse(ParameterHandler &prm);
+    };
+
+    /// A body of one of the shapes.
+    explicit RigidBody(const Parameters &parameters);
+    /// A body of any closed outline, its reference position y = 0 being moved
+    /// to `centre_y`.
+    RigidBody(const Parameters &parameters, Outline outline);
+
+    const Parameters parameters;
+    const Outline    outline;
+    const double     volume; ///< exact, m^3
+    const double     mass;   ///< kg
+
+    double position;         ///< of the reference point, y in m
+    double velocity     = 0; ///< m/s
+    double acceleration = 0; ///< over the last step, m/s^2
+
+    bool
+    is_free() const
+    {
+      return parameters.motion == Motion::free;
+    }
+    /// Prescribed velocity at a time (0 of a fixed body).
+    double
+    law(double time) const;
+    /// Displacement by the law from one time to another, by Gauss quadrature.
+    double
+    displacement(double from, double to) const;
+
+    void
+    serialize(Archive &archive);
+
+  private:
+    Expression velocity_law;
+  };
+} // namespace ephyra::immersed_boundary
