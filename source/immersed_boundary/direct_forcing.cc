@@ -251,7 +251,8 @@ namespace ephyra::immersed_boundary
   }
 
   void
-  DirectForcing::interpolate(const fluid::VelocityField &velocity, std::vector<double> &Ju) const
+  DirectForcing::interpolate(const fluid::VelocityField &velocity,
+                             std::vector<double>        &Ju) const
   {
     const fluid::StaggeredGrid &grid = mls.grid();
     const int                   n    = n_markers();
@@ -305,7 +306,8 @@ namespace ephyra::immersed_boundary
   }
 
   void
-  DirectForcing::spread(const std::vector<double> &F, fluid::VelocityField &velocity) const
+  DirectForcing::spread(const std::vector<double> &F,
+                        fluid::VelocityField      &velocity) const
   {
     const fluid::StaggeredGrid &grid = mls.grid();
     const int                   n    = n_markers();

@@ -15,8 +15,8 @@ namespace ephyra::immersed_boundary
                           const fluid::DistributedArray &v_y,
                           const double                   y_reference)
   {
-    const fluid::StaggeredGrid &grid = v_y.grid();
-    const MarkerState          &m    = markers.state();
+    const fluid::StaggeredGrid &grid  = v_y.grid();
+    const MarkerState          &m     = markers.state();
     const int                   begin = markers.first_of_curve()[first_curve];
     const int                   end   = markers.first_of_curve()[last_curve];
     const fluid::GridLine      &y     = grid.y;
@@ -38,7 +38,7 @@ namespace ephyra::immersed_boundary
              static_cast<int>(turns) * y.n_cells;
     };
     const int  j_low = cell(low), n = cell(high) - j_low + 1;
-    const auto wrap  = [&](const int j) {
+    const auto wrap = [&](const int j) {
       return ((j % y.n_cells) + y.n_cells) % y.n_cells;
     };
     const auto lower_face = [&](const int j) {
@@ -56,24 +56,25 @@ namespace ephyra::immersed_boundary
     std::vector<double> G(static_cast<std::size_t>(i_end - i_begin) * (n + 1));
     for (int i = i_begin; i < i_end; ++i)
       {
-        const double *v   = v_y.row(i);
-        double       *row = G.data() + static_cast<std::size_t>(i - i_begin) * (n + 1);
-        row[0]            = 0;
+        const double *v = v_y.row(i);
+        double       *row =
+          G.data() + static_cast<std::size_t>(i - i_begin) * (n + 1);
+        row[0] = 0;
         for (int j = 0; j < n; ++j)
           {
-            const int w = wrap(j_low + j);
-            const double upper =
-              grid.periodic_y ? v[wrap(w + 1)] : v[w + 1];
-            row[j + 1] = row[j] + 0.5 * y.width[w] * (v[w] + upper);
+            const int    w     = wrap(j_low + j);
+            const double upper = grid.periodic_y ? v[wrap(w + 1)] : v[w + 1];
+            row[j + 1]         = row[j] + 0.5 * y.width[w] * (v[w] + upper);
           }
       }
     const auto integral = [&](const int i, const double at) {
-      const int     j   = cell(at) - j_low;
-      const int     w   = wrap(j_low + j);
-      const double *v   = v_y.row(i);
-      const double  v1  = grid.periodic_y ? v[wrap(w + 1)] : v[w + 1];
-      const double  s   = at - lower_face(j_low + j);
-      const double *row = G.data() + static_cast<std::size_t>(i - i_begin) * (n + 1);
+      const int     j  = cell(at) - j_low;
+      const int     w  = wrap(j_low + j);
+      const double *v  = v_y.row(i);
+      const double  v1 = grid.periodic_y ? v[wrap(w + 1)] : v[w + 1];
+      const double  s  = at - lower_face(j_low + j);
+      const double *row =
+        G.data() + static_cast<std::size_t>(i - i_begin) * (n + 1);
       return row[j] + s * (v[w] + 0.5 * s / y.width[w] * (v1 - v[w]));
     };
 
@@ -86,10 +87,10 @@ namespace ephyra::immersed_boundary
         if (m.r[l] < r.centre[i])
           --i;
         const double s =
-          i < 0 ? 1. :
-          i + 1 == r.n_cells ?
-                  0. :
-                  (m.r[l] - r.centre[i]) / (r.centre[i + 1] - r.centre[i]);
+          i < 0 ? 1.
+          : i + 1 == r.n_cells
+            ? 0.
+            : (m.r[l] - r.centre[i]) / (r.centre[i + 1] - r.centre[i]);
         const double flux = m.n_y[l] * 2 * M_PI * m.r[l] * m.length[l];
         for (int a = 0; a < 2; ++a)
           if (const int row = i + a; row >= i_begin && row < i_end)

@@ -55,11 +55,12 @@ namespace ephyra::immersed_boundary
                       "Distance from the surface at which pressure and "
                       "velocity are taken for the loads, over the local cell "
                       "size.");
-    prm.declare_entry("Wall acceleration in the pressure",
-                      "true",
-                      patterns::Bool(),
-                      "Whether the pressure is carried from the probe to the "
-                      "wall with the normal acceleration of the wall.");
+    prm.declare_entry("Wall pressure",
+                      "acceleration",
+                      patterns::Selection("probe|acceleration|linear"),
+                      "Pressure at the wall: that of the probe; carried to "
+                      "the wall with the normal acceleration of the wall; or "
+                      "extrapolated from one and two probe lengths.");
     prm.declare_entry("Friction",
                       "quadratic",
                       patterns::Selection("one-point|quadratic"),
@@ -84,7 +85,10 @@ namespace ephyra::immersed_boundary
     forcing_sweeps    = prm.get_integer("Forcing sweeps");
     inward_shift      = prm.get_double("Inward shift");
     probe_length      = prm.get_double("Probe length");
-    wall_acceleration = prm.get_bool("Wall acceleration in the pressure");
+    const std::string pressure = prm.get("Wall pressure");
+    wall_pressure              = pressure == "probe" ? WallPressure::probe
+                                 : pressure == "acceleration" ? WallPressure::acceleration
+                                                              : WallPressure::linear;
     friction = prm.get("Friction") == "quadratic" ? FrictionFormula::quadratic
                                                   : FrictionFormula::one_point;
   }

@@ -14,14 +14,14 @@ namespace ephyra::immersed_boundary
     {
       switch (p.shape)
         {
-          case RigidBody::Shape::spheroid:
-            return spheroid_outline(p.radius, p.half_length, p.name);
-          case RigidBody::Shape::torus:
-            return torus_outline(p.radius, p.core_radius, p.name);
-          case RigidBody::Shape::disk:
-            return disk_outline(p.radius, p.thickness, p.name);
-          default:
-            return spheroid_outline(p.radius, p.radius, p.name);
+        case RigidBody::Shape::spheroid:
+          return spheroid_outline(p.radius, p.half_length, p.name);
+        case RigidBody::Shape::torus:
+          return torus_outline(p.radius, p.core_radius, p.name);
+        case RigidBody::Shape::disk:
+          return disk_outline(p.radius, p.thickness, p.name);
+        default:
+          return spheroid_outline(p.radius, p.radius, p.name);
         }
     }
   } // namespace
@@ -83,14 +83,14 @@ namespace ephyra::immersed_boundary
   void
   RigidBody::Parameters::parse(ParameterHandler &prm)
   {
-    const std::map<std::string, Shape> shapes{{"sphere", Shape::sphere},
+    const std::map<std::string, Shape>  shapes{{"sphere", Shape::sphere},
                                               {"spheroid", Shape::spheroid},
                                               {"torus", Shape::torus},
                                               {"disk", Shape::disk}};
-    const std::map<std::string, Motion> motions{{"fixed", Motion::fixed},
-                                                {"prescribed",
-                                                 Motion::prescribed},
-                                                {"free", Motion::free}};
+    const std::map<std::string, Motion> motions{
+      {"fixed", Motion::fixed},
+      {"prescribed", Motion::prescribed},
+      {"free", Motion::free}};
     const std::map<std::string, InteriorFluid> interiors{
       {"automatic", InteriorFluid::automatic},
       {"rigid", InteriorFluid::rigid},
@@ -110,7 +110,8 @@ namespace ephyra::immersed_boundary
 
   RigidBody::RigidBody(const Parameters &parameters)
     : RigidBody(parameters, make_outline(parameters))
-  {}
+  {
+  }
 
   RigidBody::RigidBody(const Parameters &parameters, Outline outline_in)
     : parameters(parameters)

@@ -12,7 +12,7 @@ namespace ephyra::immersed_boundary
 {
   namespace
   {
-    constexpr int n_sums         = 5; ///< pressure and four of the velocity
+    constexpr int n_sums = 6; ///< two of the pressure, four of the velocity
     constexpr int largest_halves = 4;
 
     /// Finds whether a point lies just below some part of the surface: the
@@ -131,28 +131,28 @@ namespace ephyra::immersed_boundary
         const double r1 = m.r[l] + probe.h * n_r, y1 = m.y[l] + probe.h * n_y;
         const Line   rc = mls.r_centres(r1), yc = mls.y_centres(y1);
         const Line   rf = mls.r_faces(r1), yf = mls.y_faces(y1);
-        probe.p = MovingLeastSquares::value(rc, yc);
-        if (parameters.friction == FrictionFormula::one_point)
-          {
-            probe.v = {MovingLeastSquares::derivative_r(rf, yc),
-                       MovingLeastSquares::derivative_y(rf, yc),
-                       MovingLeastSquares::derivative_r(rc, yf),
-                       MovingLeastSquares::derivative_y(rc, yf)};
-            continue;
-          }
         const double r2 = r1 + probe.h * n_r, y2 = y1 + probe.h * n_y;
         probe.has_second = valid(r2, y2);
-        probe.v[0]       = MovingLeastSquares::value(rf, yc);
-        probe.v[2]       = MovingLeastSquares::value(rc, yf);
-        probe.v[1]       = probe.v[0];
-        probe.v[3]       = probe.v[2];
+        probe.p.fill(MovingLeastSquares::value(rc, yc));
+        Line rf2 = rf, rc2 = rc, yf2 = yf, yc2 = yc;
         if (probe.has_second)
           {
-            probe.v[1] =
-              MovingLeastSquares::value(mls.r_faces(r2), mls.y_centres(y2));
-            probe.v[3] =
-              MovingLeastSquares::value(mls.r_centres(r2), mls.y_faces(y2));
+            rf2        = mls.r_faces(r2);
+            rc2        = mls.r_centres(r2);
+            yf2        = mls.y_faces(y2);
+            yc2        = mls.y_centres(y2);
+            probe.p[1] = MovingLeastSquares::value(rc2, yc2);
           }
+        if (parameters.friction == FrictionFormula::one_point)
+          probe.v = {MovingLeastSquares::derivative_r(rf, yc),
+                     MovingLeastSquares::derivative_y(rf, yc),
+                     MovingLeastSquares::derivative_r(rc, yf),
+                     MovingLeastSquares::derivative_y(rc, yf)};
+        else
+          probe.v = {MovingLeastSquares::value(rf, yc),
+                     MovingLeastSquares::value(rf2, yc2),
+                     MovingLeastSquares::value(rc, yf),
+                     MovingLeastSquares::value(rc2, yf2)};
       }
     if (before == 0 && n_shortened > 0)
       log().warning(std::to_string(n_shortened) +
@@ -163,7 +163,7 @@ namespace ephyra::immersed_boundary
   void
   SurfaceLoads::evaluate(const Markers                 &markers,
                          const fluid::DistributedArray &pressure,
-                         const fluid::VelocityField &velocity)
+                         const fluid::VelocityField    &velocity)
   {
     const fluid::StaggeredGrid &grid  = mls.grid();
     const int                   n     = markers.size();
@@ -174,11 +174,12 @@ namespace ephyra::immersed_boundary
       {
         double      *s     = sums.data() + n_sums * l;
         const Probe &probe = probes[l];
-        s[0]               = apply(probe.p, pressure, begin, end);
-        s[1]               = apply(probe.v[0], velocity.r, begin, end_of_faces);
-        s[2]               = apply(probe.v[1], velocity.r, begin, end_of_faces);
-        s[3]               = apply(probe.v[2], velocity.y, begin, end);
-        s[4]               = apply(probe.v[3], velocity.y, begin, end);
+        for (int k = 0; k < 2; ++k)
+          {
+            s[k]     = apply(probe.p[k], pressure, begin, end);
+            s[2 + k] = apply(probe.v[k], velocity.r, begin, end_of_faces);
+            s[4 + k] = apply(probe.v[2 + k], velocity.y, begin, end);
+          }
       }
     mpi::sum_in_place(sums, grid.communicator());
 
@@ -190,18 +191,21 @@ namespace ephyra::immersed_boundary
         const double *s   = sums.data() + n_sums * l;
         const double  h   = probes[l].h;
         const double  n_r = m.n_r[l], n_y = m.n_y[l];
-        p_wall[l] = s[0];
-        if (parameters.wall_acceleration)
+        const bool    two = probes[l].has_second;
+        p_wall[l]         = s[0];
+        if (two && parameters.wall_pressure == WallPressure::linear)
+          p_wall[l] = 2 * s[0] - s[1];
+        else if (parameters.wall_pressure != WallPressure::probe)
           p_wall[l] += density * h * (m.a_r[l] * n_r + m.a_y[l] * n_y);
 
-        double L_rr = s[1], L_ry = s[2], L_yr = s[3], L_yy = s[4];
+        double L_rr = s[2], L_ry = s[3], L_yr = s[4], L_yy = s[5];
         if (parameters.friction == FrictionFormula::quadratic)
           {
-            double g_r = (s[1] - m.v_r[l]) / h, g_y = (s[3] - m.v_y[l]) / h;
-            if (probes[l].has_second)
+            double g_r = (s[2] - m.v_r[l]) / h, g_y = (s[4] - m.v_y[l]) / h;
+            if (two)
               {
-                g_r = (-3 * m.v_r[l] + 4 * s[1] - s[2]) / (2 * h);
-                g_y = (-3 * m.v_y[l] + 4 * s[3] - s[4]) / (2 * h);
+                g_r = (-3 * m.v_r[l] + 4 * s[2] - s[3]) / (2 * h);
+                g_y = (-3 * m.v_y[l] + 4 * s[4] - s[5]) / (2 * h);
               }
             L_rr = g_r * n_r + m.dv_r_ds[l] * m.t_r[l];
             L_ry = g_r * n_y + m.dv_r_ds[l] * m.t_y[l];

@@ -29,6 +29,14 @@ namespace ephyra::immersed_boundary
     quadratic  ///< parabola through the wall, h and 2h
   };
 
+  /// Pressure at the wall from the pressure off the wall.
+  enum class WallPressure
+  {
+    probe,        ///< p(h)
+    acceleration, ///< p(h) + rho h a.n
+    linear        ///< 2 p(h) - p(2h)
+  };
+
   /// Parameters of the immersed boundary, section "Immersed boundary" of a
   /// scene. Lengths are multiples of the local cell size.
   struct Parameters
@@ -43,9 +51,9 @@ namespace ephyra::immersed_boundary
     int           forcing_sweeps = 3;
     double        inward_shift   = 0.;
 
-    double          probe_length      = 1.5;
-    bool            wall_acceleration = true;
-    FrictionFormula friction          = FrictionFormula::quadratic;
+    double          probe_length  = 1.5;
+    WallPressure    wall_pressure = WallPressure::acceleration;
+    FrictionFormula friction      = FrictionFormula::quadratic;
 
     static void
     declare(ParameterHandler &prm);

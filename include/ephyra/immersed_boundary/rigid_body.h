@@ -44,9 +44,9 @@ namespace ephyra::immersed_boundary
     /// Section "Rigid body NAME".
     struct Parameters
     {
-      std::string   name     = "body";
-      Shape         shape    = Shape::sphere;
-      double        radius   = 0.5;  ///< of the outer rim; centre line of torus
+      std::string   name   = "body";
+      Shape         shape  = Shape::sphere;
+      double        radius = 0.5; ///< of the outer rim; centre line of torus
       double        half_length = 0.5; ///< of a spheroid along y
       double        core_radius = 0.1; ///< of a torus
       double        thickness   = 0.1; ///< of a disk

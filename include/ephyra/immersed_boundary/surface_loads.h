@@ -11,9 +11,11 @@ namespace ephyra::immersed_boundary
 {
   /// Loads of the fluid on the surface through probes along the outward normal
   /// (Nitti et al. 2020, 10.1016/j.cma.2020.112977): with a probe at
-  /// x + h n, h = `probe_length` cells,
-  ///   p_wall = p(x + h n) + rho h a.n,
-  /// the second term from the momentum equation at a wall with acceleration a.
+  /// x + h n, h = `probe_length` cells, the pressure at the wall is
+  ///   p(h)                    `probe`,
+  ///   p(h) + rho h a.n        `acceleration`: the momentum equation at a wall
+  ///                           with acceleration a, friction left out,
+  ///   2 p(h) - p(2h)          `linear`.
   /// The viscous traction is mu (L + L^T) n with the velocity gradient L either
   /// at the probe (`one_point`), or at the wall, L = (dv/dn) n^T + (dV/ds) t^T,
   /// with dV/ds of the wall and a parabola through the wall, h and 2h
@@ -21,7 +23,8 @@ namespace ephyra::immersed_boundary
   ///   dv/dn = (-3 V + 4 v(h) - v(2h)) / (2h).
   /// A probe that would lie outside of the grid or in a body is drawn towards
   /// the wall by halves (counted; see n_shortened_probes()); where only the
-  /// point at 2h does, the difference between wall and h is taken.
+  /// point at 2h does, h alone is used: the difference from the wall for the
+  /// friction, `acceleration` for the pressure.
   class SurfaceLoads
   {
   public:
@@ -41,7 +44,7 @@ namespace ephyra::immersed_boundary
     void
     evaluate(const Markers                 &markers,
              const fluid::DistributedArray &pressure,
-             const fluid::VelocityField &velocity);
+             const fluid::VelocityField    &velocity);
 
     /// Traction on the surface, Pa: all radial components, then all axial ones.
     const std::vector<double> &
@@ -83,7 +86,7 @@ namespace ephyra::immersed_boundary
   private:
     struct Probe
     {
-      Stencil                p;
+      std::array<Stencil, 2> p; ///< at h and 2h
       std::array<Stencil, 4> v; ///< see source
       double                 h;
       bool                   has_second;

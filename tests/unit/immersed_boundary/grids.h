@@ -19,8 +19,9 @@ namespace ephyra::test
     for (int i = 0; i <= n; ++i)
       {
         const double s = static_cast<double>(i) / n;
-        face[i] = begin + (end - begin) *
-                            (s - amplitude * std::sin(2 * M_PI * s) / (2 * M_PI));
+        face[i] =
+          begin +
+          (end - begin) * (s - amplitude * std::sin(2 * M_PI * s) / (2 * M_PI));
       }
     return fluid::GridLine(face);
   }

@@ -68,9 +68,9 @@ BOOST_AUTO_TEST_CASE(linear_fields_and_their_gradients_are_exact)
         const auto add = [&](const auto                    &r_line,
                              const auto                    &y_line,
                              const fluid::DistributedArray &v) {
-          error =
-            std::max(error,
-                     std::abs(apply(mls.value(r_line, y_line), v) - linear(r, y)));
+          error = std::max(
+            error,
+            std::abs(apply(mls.value(r_line, y_line), v) - linear(r, y)));
           gradient_error = std::max(
             {gradient_error,
              std::abs(apply(mls.derivative_r(r_line, y_line), v) + 2.),
@@ -109,12 +109,10 @@ BOOST_AUTO_TEST_CASE(at_the_axis_odd_and_even_linear_fields_are_exact)
 
 BOOST_AUTO_TEST_CASE(a_periodic_grid_has_no_seam)
 {
-  const fluid::StaggeredGrid grid{test::line(8, 0., 1.),
-                                  test::line(16, -1., 1.),
-                                  true,
-                                  MPI_COMM_SELF};
-  const MovingLeastSquares   mls(grid, Parameters());
-  fluid::VelocityField       u(grid);
+  const fluid::StaggeredGrid grid{
+    test::line(8, 0., 1.), test::line(16, -1., 1.), true, MPI_COMM_SELF};
+  const MovingLeastSquares mls(grid, Parameters());
+  fluid::VelocityField     u(grid);
   const auto sine = [](double, const double y) { return std::sin(M_PI * y); };
   test::fill(u, sine, sine);
   // Moving by whole cells changes nothing, across the seam too.
@@ -127,7 +125,8 @@ BOOST_AUTO_TEST_CASE(a_periodic_grid_has_no_seam)
         const auto   far  = mls.value(r, mls.y_faces(at));
         for (int b = 0; b < 3; ++b)
           {
-            BOOST_TEST(far.column[b] == ((near.column[b] + shift) % 16 + 16) % 16);
+            BOOST_TEST(far.column[b] ==
+                       ((near.column[b] + shift) % 16 + 16) % 16);
             BOOST_TEST(std::abs(far.value[1][b] - near.value[1][b]) < 1e-12);
           }
       }
@@ -153,8 +152,7 @@ BOOST_AUTO_TEST_CASE(orders_of_value_and_gradient)
         if (std::abs(y) > 0.9 || r > 0.9)
           return;
         const auto rc = mls.r_centres(r), yc = mls.y_centres(y);
-        value[level] +=
-          std::pow(apply(mls.value(rc, yc), p) - field(r, y), 2);
+        value[level] += std::pow(apply(mls.value(rc, yc), p) - field(r, y), 2);
         gradient[level] +=
           std::pow(apply(mls.derivative_y(rc, yc), p) - field_y(r, y), 2);
         ++n;
