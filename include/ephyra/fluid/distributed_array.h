@@ -50,6 +50,13 @@ namespace ephyra::fluid
              offset;
     }
 
+    /// Distance of two rows in memory, in values.
+    int
+    row_stride() const
+    {
+      return static_cast<int>(stride);
+    }
+
     void
     fill(double value);
     /// Copies all values, ghosts included.

@@ -1,0 +1,168 @@
+#include "ephyra/base/exceptions.h"
+#include "ephyra/fluid/flow_parameters.h"
+#include "ephyra/fluid/poisson_eigen.h"
+#include "ephyra/fluid/poisson_fft.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace ephyra;
+using namespace ephyra::fluid;
+
+namespace
+{
+  StaggeredGrid
+  make_grid(const bool stretched_y, const bool periodic = false)
+  {
+    GridParameters parameters;
+    parameters.r.breakpoints = {0., 0.4, 2.};
+    parameters.r.spacings    = {0.02, 0.02, 0.15};
+    parameters.y.breakpoints = {-1., 0., 1.};
+    parameters.y.spacings    = stretched_y ? std::vector<double>{0.1, 0.03, 0.1}
+                                           : std::vector<double>{0.04};
+    return parameters.make_grid(periodic, MPI_COMM_WORLD);
+  }
+
+  /// Random values that do not depend on the number of ranks, with zero mean.
+  DistributedArray
+  random_field(const StaggeredGrid &grid)
+  {
+    std::mt19937                           generator(7);
+    std::uniform_real_distribution<double> uniform(-1., 1.);
+    DistributedArray                       f(grid);
+    double                                 sum = 0, volume = 0;
+    for (int i = 0; i < grid.r.n_cells; ++i)
+      for (int j = 0; j < grid.y.n_cells; ++j)
+        {
+          const double value = uniform(generator);
+          const double weight =
+            grid.r.centre[i] * grid.r.width[i] * grid.y.width[j];
+          sum += value * weight;
+          volume += weight;
+          if (grid.owns_row(i))
+            f(i, j) = value;
+        }
+    for (int i = grid.first_row; i < grid.end_row(); ++i)
+      for (int j = 0; j < grid.y.n_cells; ++j)
+        f(i, j) -= sum / volume;
+    return f;
+  }
+
+  /// Largest residual over the largest right-hand side, both times the cell
+  /// volume: the axis rows are not drowned by the others.
+  double
+  residual(DistributedArray        phi,
+           const DistributedArray &f,
+           const PoissonSides     &sides)
+  {
+    const StaggeredGrid &grid = phi.grid();
+    phi.exchange_halo();
+    const int n_r = grid.r.n_cells, n_y = grid.y.n_cells;
+    double    error = 0, size = 0;
+    for (int i = grid.first_row; i < grid.end_row(); ++i)
+      for (int j = 0; j < n_y; ++j)
+        {
+          const auto flux_r = [&](const int k) { // through face k, times r
+            if (k == 0 || (k == n_r && !sides.outer_dirichlet))
+              return 0.;
+            const double above = k == n_r ? 0. : phi(k, j);
+            return grid.r.face[k] * (above - phi(k - 1, j)) /
+                   grid.r.centre_gap[k];
+          };
+          const auto flux_y = [&](const int k) {
+            double below = k > 0 ? phi(i, k - 1) : 0.;
+            double above = k < n_y ? phi(i, k) : 0.;
+            if (grid.periodic_y && k == 0)
+              below = phi(i, n_y - 1);
+            else if (grid.periodic_y && k == n_y)
+              above = phi(i, 0);
+            else if ((k == 0 && !sides.lower_dirichlet) ||
+                     (k == n_y && !sides.upper_dirichlet))
+              return 0.;
+            return (above - below) / grid.y.centre_gap[k];
+          };
+          const double laplacian =
+            (flux_r(i + 1) - flux_r(i)) / (grid.r.centre[i] * grid.r.width[i]) +
+            (flux_y(j + 1) - flux_y(j)) / grid.y.width[j];
+          error = std::max(error, std::abs(laplacian - f(i, j)));
+          size  = std::max(size, std::abs(f(i, j)));
+        }
+    return mpi::max(error, MPI_COMM_WORLD) / mpi::max(size, MPI_COMM_WORLD);
+  }
+
+  constexpr double limit = 1e-10;
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(poisson)
+
+BOOST_AUTO_TEST_CASE(residuals)
+{
+  for (const bool outer : {false, true})
+    for (const bool lower : {false, true})
+      for (const bool upper : {false, true})
+        {
+          const PoissonSides sides{outer, lower, upper};
+          for (const bool stretched : {false, true})
+            {
+              const StaggeredGrid    grid = make_grid(stretched);
+              const DistributedArray f    = random_field(grid);
+              PoissonEigen           eigen(grid, sides);
+              DistributedArray       phi(grid);
+              phi.copy_from(f);
+              eigen.solve(phi);
+              BOOST_TEST(residual(phi, f, sides) < limit);
+              if (stretched)
+                continue;
+              PoissonFft fft(grid, sides);
+              phi.copy_from(f);
+              fft.solve(phi);
+              BOOST_TEST(residual(phi, f, sides) < limit);
+            }
+        }
+}
+
+BOOST_AUTO_TEST_CASE(periodic_residual)
+{
+  for (const bool outer : {false, true})
+    {
+      const PoissonSides     sides{outer, false, false};
+      const StaggeredGrid    grid = make_grid(false, true);
+      const DistributedArray f    = random_field(grid);
+      PoissonFft             fft(grid, sides);
+      DistributedArray       phi(grid);
+      phi.copy_from(f);
+      fft.solve(phi);
+      BOOST_TEST(residual(phi, f, sides) < limit);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(both_solvers_agree)
+{
+  const PoissonSides     sides{false, false, true};
+  const StaggeredGrid    grid = make_grid(false);
+  const DistributedArray f    = random_field(grid);
+  DistributedArray       phi(grid), psi(grid);
+  phi.copy_from(f);
+  psi.copy_from(f);
+  PoissonFft(grid, sides).solve(phi);
+  PoissonEigen(grid, sides).solve(psi);
+  double error = 0, size = 0;
+  for (int i = grid.first_row; i < grid.end_row(); ++i)
+    for (int j = 0; j < grid.y.n_cells; ++j)
+      {
+        error = std::max(error, std::abs(phi(i, j) - psi(i, j)));
+        size  = std::max(size, std::abs(phi(i, j)));
+      }
+  BOOST_TEST(error < 1e-12 * size);
+}
+
+BOOST_AUTO_TEST_CASE(unsuitable_grids_are_refused)
+{
+  BOOST_CHECK_THROW(PoissonFft(make_grid(true), {}), InputError);
+  BOOST_CHECK_THROW(PoissonEigen(make_grid(false, true), {}), InputError);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
