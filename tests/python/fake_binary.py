@@ -1,0 +1,47 @@
+#!/usr/bin/env python3
+"""Stands in for ephyra-binary: result.csv with f(h) = 3 + 5 h^2, h = 1/Cells.
+
+Model/Behaviour: `good`, `diverges`, `bad input`, or `slow`, which waits for
+SIGUSR1, leaves a checkpoint and is done when resumed."""
+
+import pathlib
+import signal
+import sys
+import time
+
+arguments = sys.argv[1:]
+values = {"Model/Behaviour": "good", "Model/Cells": "1"}
+folder = None
+resumed = False
+while arguments:
+    option = arguments.pop(0)
+    if option == "--set":
+        entry, _, value = arguments.pop(0).partition("=")
+        values[entry.strip()] = value.strip()
+    elif option in ("--output", "--resume"):
+        folder = pathlib.Path(arguments.pop(0))
+        resumed = option == "--resume"
+
+folder.mkdir(parents=True, exist_ok=True)
+with open(folder / "calls.txt", "a") as file:
+    file.write("resumed\n" if resumed else "started\n")
+
+behaviour = values["Model/Behaviour"]
+if behaviour == "diverges":
+    print("The step did not converge.")
+    sys.exit(2)
+if behaviour == "bad input":
+    sys.exit(1)
+if behaviour == "slow" and not resumed:
+    signal.signal(signal.SIGUSR1, lambda *_: None)
+    (folder / "ready").touch()
+    signal.pause()
+    (folder / "checkpoints").mkdir()
+    (folder / "checkpoints" / "checkpoint_000000001.h5").touch()
+    sys.exit(3)
+
+time.sleep(0.01)
+h = 1 / float(values["Model/Cells"])
+(folder / "result.csv").write_text(
+    "drag [N],constant [1],error of speed [m/s],name\n"
+    f"{3 + 5 * h**2},1,{0.1 * h**3},text\n")

@@ -1,0 +1,166 @@
+"""The sweep: cases, resuming, the table, and observed orders."""
+
+import contextlib
+import csv
+import io
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "postprocess"))
+import convergence
+import sweep
+
+FAKE = pathlib.Path(__file__).with_name("fake_binary.py")
+
+
+class Convergence(unittest.TestCase):
+    def test_three_grids(self):
+        for h, p in (([4, 2, 1], 2.0), ([1, 0.5, 0.25], 1.0), ([1, 0.6, 0.4], 3.5)):
+            order, limit = convergence.three_grid_order(h, [7 - 0.3 * s**p for s in h])
+            self.assertAlmostEqual(order, p, places=8)
+            self.assertAlmostEqual(limit, 7, places=8)
+
+    def test_no_order_where_there_is_none(self):
+        self.assertEqual(convergence.three_grid_order([4, 2, 1], [1, 3, 2]), (None, None))
+        self.assertEqual(convergence.three_grid_order([4, 2, 1], [1, 1, 1]), (None, None))
+        self.assertEqual(convergence.order_of_errors([2, 1], [0.1, 0]), [None])
+
+    def test_mesh_sizes(self):
+        self.assertEqual(convergence.mesh_sizes(["2", "4"]), [0.5, 0.25])
+        self.assertEqual(convergence.mesh_sizes(["2 ms", "1 ms"]), [2, 1])
+        for values in (["1 ms", "1 s"], ["1", "3", "2"], ["1", "1"]):
+            with self.assertRaises(ValueError):
+                convergence.mesh_sizes(values)
+
+
+class Cases(unittest.TestCase):
+    def test_product_and_together(self):
+        axes = [sweep.parse_axis("A/x = 1, 2"), sweep.parse_axis("B/y = a|b, c; B/z = 3|4")]
+        cases = list(sweep.make_cases(axes).values())
+        self.assertEqual(len(cases), 4)
+        self.assertEqual(cases[1], {"A/x": "1", "B/y": "b, c", "B/z": "4"})
+
+    def test_names_are_distinct(self):
+        axes = [sweep.parse_axis("A/x = 1 mm, 2 mm"), sweep.parse_axis("B/x = 1 mm, 2 mm")]
+        self.assertEqual(len(sweep.make_cases(axes)), 4)
+
+    def test_errors(self):
+        for text in ("A/x", "A/x = ", "A/x = 1, 2; B/y = 1", "A/x = 1; A/x = 2"):
+            with self.assertRaises(sweep.UsageError):
+                sweep.parse_axis(text)
+        with self.assertRaises(sweep.UsageError):
+            sweep.make_cases([sweep.parse_axis("A/x = 1, 1")])
+
+
+class Runs(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+        self.scene = self.folder / "scene.prm"
+        self.scene.write_text("# scene\n")
+        self.output = self.folder / "out"
+
+    def command(self, *options):
+        return [str(self.scene), "--binary", str(FAKE), "--output", str(self.output),
+                *options]
+
+    def run_sweep(self, *options):
+        screen = io.StringIO()
+        with contextlib.redirect_stdout(screen), contextlib.redirect_stderr(screen):
+            code = sweep.main(self.command(*options))
+        return code, screen.getvalue()
+
+    def table(self, name="table.csv"):
+        with open(self.output / name, newline="") as file:
+            return list(csv.DictReader(file))
+
+    def calls(self):
+        return {path.parent.name: path.read_text().split()
+                for path in self.output.glob("*/calls.txt")}
+
+    def test_table_and_orders(self):
+        code, screen = self.run_sweep(
+            "--refine", "Model/Cells = 1, 2, 4", "--vary", "Model/Other = x, y",
+            "--set", "Model/Fixed = 1", "-j", "3")
+        self.assertEqual(code, 0, screen)
+        table = self.table()
+        self.assertEqual(len(table), 6)
+        self.assertEqual(list(table[0])[:3], ["Model/Other", "Model/Cells", "drag [N]"])
+        self.assertEqual(table[-1]["Model/Cells"], "4")
+        self.assertEqual(float(table[-1]["drag [N]"]), 3 + 5 / 16)
+        orders = {(row["case"], row["column"]): row for row in self.table("orders.csv")}
+        drag = orders["Model/Other = y", "drag [N]"]
+        self.assertEqual((drag["kind"], drag["order 1"]), ("three grids", "2.00"))
+        self.assertAlmostEqual(float(drag["limit"]), 3)
+        error = orders["Model/Other = x", "error of speed [m/s]"]
+        self.assertEqual((error["order 1"], error["order 2"]), ("3.00", "3.00"))
+        self.assertEqual(orders["Model/Other = x", "constant [1]"]["order 1"], "-")
+
+    def test_reference(self):
+        _, screen = self.run_sweep("--refine", "Model/Cells = 1, 2",
+                                   "--reference", "drag [N] = 2")
+        # Errors against 2 are 6 and 2.25.
+        self.assertIn(f"order (reference) {math.log(6 / 2.25) / math.log(2):.2f}", screen)
+
+    def test_finished_cases_are_not_run_again(self):
+        self.run_sweep("--vary", "Model/Cells = 1, 2")
+        code, screen = self.run_sweep("--vary", "Model/Cells = 1, 2, 4")
+        self.assertEqual(code, 0)
+        self.assertIn("2 already finished", screen)
+        self.assertEqual(self.calls(), {f"Cells={n}": ["started"] for n in (1, 2, 4)})
+        self.run_sweep("--vary", "Model/Cells = 1", "--overwrite")
+        self.assertEqual(self.calls()["Cells=1"], ["started", "started"])
+
+    def test_failed_cases_show_in_the_table(self):
+        code, screen = self.run_sweep("--vary", "Model/Behaviour = good, diverges")
+        self.assertEqual(code, 2)
+        self.assertIn("The step did not converge.", screen)
+        self.assertEqual([row["exit code"] for row in self.table()], ["0", "2"])
+        self.assertEqual(self.table()[1]["drag [N]"], "")
+        code, _ = self.run_sweep("--vary", "Model/Behaviour = good, bad input")
+        self.assertEqual(code, 1)
+
+    def test_stopped_cases_are_resumed(self):
+        command = [sys.executable, "-B", str(ROOT / "postprocess/sweep.py"),
+                   *self.command("--vary", "Model/Behaviour = slow, good")]
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL)
+        ready = self.output / "Behaviour=slow" / "ready"
+        deadline = time.monotonic() + 30
+        while not ready.exists() and time.monotonic() < deadline:
+            time.sleep(0.02)
+        time.sleep(0.1)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(30), 3)
+        code, _ = self.run_sweep("--vary", "Model/Behaviour = slow, good")
+        self.assertEqual(code, 0)
+        self.assertEqual(self.calls()["Behaviour=slow"], ["started", "resumed"])
+
+    def test_another_scene_is_refused(self):
+        self.run_sweep("--vary", "Model/Cells = 1")
+        self.scene.write_text("# another\n")
+        code, screen = self.run_sweep("--vary", "Model/Cells = 1")
+        self.assertEqual(code, 1)
+        self.assertIn("--overwrite", screen)
+        self.assertEqual(self.run_sweep("--vary", "Model/Cells = 1", "--overwrite")[0], 0)
+
+    def test_bad_arguments(self):
+        for options in ((), ("--vary", "Model/Cells"), ("--refine", "Model/Cells = 1, 1"),
+                        ("--vary", "A/b = 1", "--reference", "drag")):
+            code, screen = self.run_sweep(*options)
+            self.assertEqual(code, 1)
+            self.assertTrue(screen.startswith("sweep: "), screen)
+        self.assertFalse(self.output.exists())
+
+
+if __name__ == "__main__":
+    os.chmod(FAKE, 0o755)
+    unittest.main()
