@@ -1,0 +1,254 @@
+#pragma once
+
+#include "ephyra/elasticity/active_strain.h"
+#include "ephyra/elasticity/boundary_conditions.h"
+#include "ephyra/elasticity/material.h"
+#include "ephyra/elasticity/patch_tables.h"
+#include "ephyra/elasticity/side_loads.h"
+#include "ephyra/linear_algebra/sparse_matrix.h"
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ephyra::elasticity
+{
+  namespace internal
+  {
+    struct ElementWork;
+  }
+
+  /// Integrals of a body over the full revolution.
+  struct BodyMeasures
+  {
+    double         mass;           ///< kg
+    double         volume;         ///< m^3, deformed
+    double         centre_of_mass; ///< axial position, m
+    double         momentum;       ///< axial, kg m/s
+    double         elastic_energy; ///< J
+    double         kinetic_energy; ///< J
+    double         smallest_J;     ///< over the Gauss points
+    double         largest_J;
+  };
+
+  /// What is known at one parametric point, for output.
+  struct PointFields
+  {
+    splines::Point     displacement; ///< m
+    double             pattern;      ///< f_a
+    double             activation;   ///< gamma, between the Gauss lines linear
+    double             J;
+    AxisymmetricTensor cauchy; ///< Pa: rr, ry, yr, yy, hoop
+  };
+
+  /// Internal and external forces of an axisymmetric body, eqs. (56)-(58) of
+  /// Nitti et al. 2023 (10.1016/j.apm.2023.08.003) with the hoop terms and
+  /// without the doubled internal force, in total Lagrangian form:
+  ///   F_int,a = 2 pi int P : grad R_a r dS,
+  /// P the first Piola-Kirchhoff stress in the orthonormal cylindrical frame
+  /// (see material.h), the integral by Gauss' rule per element.
+  ///
+  /// The active strain F = F_e F_a only changes the gradient of the basis that
+  /// the passive law sees (grad_e R = F_a^-T grad R), because det F_a = 1 and
+  /// F_a does not depend on the displacement.
+  ///
+  /// Vectors are replicated on all ranks, unknown 2 * point + component; the
+  /// elements are shared among the ranks and the sums reduced, so that all
+  /// functions that integrate are collective. Forces are those on the whole
+  /// ring, N.
+  class ElasticityOperator
+  {
+  public:
+    struct Parameters
+    {
+      Material                     material;
+      double                       density = 1000.; ///< kg/m^3, reference
+      ActiveStrain::Parameters     active_strain;
+      std::array<SideCondition, 4> sides;
+      Tie                          tie = Tie::none;
+      /// N per m^3 of the reference shape: formulas in r, y, t.
+      std::array<Expression, 2> body_force{
+        {Expression("0", {"r", "y", "t"}), Expression("0", {"r", "y", "t"})}};
+      /// Gauss points per direction: degree + 1 + this.
+      int extra_points = 0;
+
+      static void
+      declare(ParameterHandler &prm);
+      void
+      parse(ParameterHandler &prm);
+    };
+
+    /// Throws InputError for an inverted patch, a degree above 6, a shortening
+    /// of 0.95 or more at gamma = 1, sides that contradict each other.
+    ElasticityOperator(const Parameters             &parameters,
+                       const splines::NurbsPatch<2> &patch,
+                       MPI_Comm                      comm);
+    ~ElasticityOperator();
+
+    int
+    n_unknowns() const
+    {
+      return constraints.n_unknowns();
+    }
+    MPI_Comm
+    communicator() const
+    {
+      return comm;
+    }
+    const Constraints &
+    get_constraints() const
+    {
+      return constraints;
+    }
+    const splines::NurbsPatch<2> &
+    patch() const
+    {
+      return body;
+    }
+    const Parameters &
+    parameters() const
+    {
+      return prm;
+    }
+
+    /// Couplings of the unknowns through elements, with the diagonal of the
+    /// unknowns that are eliminated; not yet compressed.
+    linear_algebra::SparsityPattern
+    sparsity_pattern() const;
+
+    // --- state of the loads ------------------------------------------------
+    /// Loads and prescribed displacements at time t (s), times a factor.
+    void
+    set_time(double t, double load_factor = 1.);
+    /// theta^1 of the Gauss lines, increasing.
+    const std::vector<double> &
+    activation_points() const
+    {
+      return tables.theta1;
+    }
+    /// gamma on the Gauss lines; constant across the thickness.
+    void
+    set_activation(const std::vector<double> &gamma);
+    const std::vector<double> &
+    activation() const
+    {
+      return gamma;
+    }
+    /// Largest shortening of a fibre at gamma = 1.
+    double
+    largest_shortening() const
+    {
+      return shortening;
+    }
+
+    // --- integrals ---------------------------------------------------------
+    struct Evaluation
+    {
+      /// Smallest det F_e over the Gauss points; where it is not positive,
+      /// nothing else is valid.
+      double smallest_J;
+      /// Size of the forces that cancel in the residual: norm of the sum of the
+      /// absolute element forces, N. Unlike the residual it does not vanish in
+      /// equilibrium, so that it is what residuals are compared with.
+      double scale;
+    };
+
+    /// residual = F_int - F_ext at the displacement u, not condensed.
+    Evaluation
+    residual(const std::vector<double> &u, std::vector<double> &residual);
+    /// Also adds stiffness_factor dR/du + mass_factor M to an open matrix, with
+    /// the identity in the rows of eliminated unknowns. The caller closes it.
+    Evaluation
+    residual_and_tangent(const std::vector<double>    &u,
+                         std::vector<double>          &residual,
+                         linear_algebra::SparseMatrix &matrix,
+                         double                        stiffness_factor,
+                         double                        mass_factor);
+    /// residual += M a.
+    void
+    add_inertia(const std::vector<double> &a,
+                std::vector<double>       &residual) const;
+    /// Adds M, with the identity in the rows of eliminated unknowns.
+    void
+    add_mass(linear_algebra::SparseMatrix &matrix);
+
+    /// Norm of the nodal forces of a unit strain, N: a strain tolerance times
+    /// this is the smallest residual that means anything.
+    double
+    unit_force() const
+    {
+      return unit_force_norm;
+    }
+
+    BodyMeasures
+    measures(const std::vector<double> &u, const std::vector<double> &v) const;
+    /// Work that the muscle has done (J) when the activation went from
+    /// @p gamma_old at @p u_old to @p gamma_new at @p u_new:
+    /// -int (F_e^T P_e) : (dF_a F_a^-1) by the midpoint rule.
+    double
+    muscle_work(const std::vector<double> &u_old,
+                const std::vector<double> &gamma_old,
+                const std::vector<double> &u_new,
+                const std::vector<double> &gamma_new) const;
+    PointFields
+    fields(const std::vector<double> &u, double theta1, double theta2) const;
+
+  private:
+    Evaluation
+    assemble(const std::vector<double>    &u,
+             std::vector<double>          &residual,
+             linear_algebra::SparseMatrix *matrix,
+             double                        stiffness_factor,
+             double                        mass_factor);
+    void
+    gather(const std::vector<double> &u, int element);
+    template <int n2>
+    bool
+    element(int                           e,
+            linear_algebra::SparseMatrix *matrix,
+            double                        stiffness_factor,
+            double                        mass_factor);
+    AxisymmetricTensor
+    deformation_gradient(const std::vector<double> &u, int e, int q) const;
+    AxisymmetricTensor
+    elastic_part(const AxisymmetricTensor &F,
+                 const AxisymmetricTensor &active) const;
+    void
+    assemble_mass();
+    void
+    add_identity(linear_algebra::SparseMatrix &matrix) const;
+    void
+    check_shortening();
+
+    Parameters             prm;
+    splines::NurbsPatch<2> body;
+    MPI_Comm               comm;
+    int                    rank, n_ranks;
+    int                    first_element, n_own_elements;
+    ActiveStrain           active_strain;
+    Constraints            constraints;
+    PatchTables            tables;
+    std::vector<SideLoad>  side_loads;
+    std::vector<double>    body_force_values; ///< [component][e][q], N/m^3
+
+    std::vector<double> reference; ///< positions, 2 * point + component, m
+    std::vector<double> pattern;   ///< f_a at the Gauss points
+    std::vector<double> gamma;     ///< on the Gauss lines
+    std::vector<double> transform; ///< T with the active strain, as in tables
+    std::vector<double> shift;     ///< F_a - I for small strain: [e][4][q]
+    std::vector<int>    equations; ///< of the unknowns of each element
+    double              shortening = 0.;
+
+    std::vector<double> element_mass; ///< [e][pair a1 <= b1][a2, b2], kg
+    std::vector<int>    mass_start, mass_column; ///< of points, rows
+    std::vector<double> mass_value;
+    std::vector<double> lumped_mass; ///< row sums
+    double              unit_force_norm = 0.;
+
+    std::vector<double>                    position; ///< X + u
+    std::vector<double>                    sums;     ///< residual, scale
+    std::unique_ptr<internal::ElementWork> work;
+  };
+} // namespace ephyra::elasticity
