@@ -89,6 +89,36 @@ namespace ephyra::elasticity
            !traction[1].is_zero();
   }
 
+  namespace
+  {
+    /// Factorised matrix of the basis of a curve at its Greville points.
+    std::unique_ptr<linear_algebra::DirectSolver>
+    interpolation(const splines::NurbsPatch<1> &curve)
+    {
+      using linear_algebra::SparseMatrix;
+      const std::vector<double> greville = curve.knot_vector(0).greville();
+      linear_algebra::SparsityPattern pattern(curve.n_control_points());
+      std::vector<splines::BasisValues<1>> rows(greville.size());
+      for (std::size_t k = 0; k < greville.size(); ++k)
+        {
+          curve.evaluate_basis({greville[k]}, rows[k]);
+          pattern.columns[k] = rows[k].index;
+        }
+      pattern.compress();
+      SparseMatrix matrix(pattern, SparseMatrix::Storage::band, MPI_COMM_SELF);
+      matrix.begin_assembly();
+      for (std::size_t k = 0; k < rows.size(); ++k)
+        for (std::size_t a = 0; a < rows[k].index.size(); ++a)
+          matrix.add(k, rows[k].index[a], rows[k].value[a]);
+      matrix.finish_assembly();
+      auto solver =
+        linear_algebra::make_direct_solver(matrix.storage(),
+                                           "interpolation along a side");
+      solver->factorize(matrix);
+      return solver;
+    }
+  } // namespace
+
   Constraints::Constraints(const splines::NurbsPatch<2>       &patch,
                            const std::array<SideCondition, 4> &conditions,
                            const Tie                           tie)
@@ -144,22 +174,10 @@ namespace ephyra::elasticity
           continue;
         const splines::NurbsPatch<1> curve = patch.side(side);
         const std::vector<double> greville = curve.knot_vector(0).greville();
-        const int                 n = curve.n_control_points();
-        Eigen::MatrixXd           matrix = Eigen::MatrixXd::Zero(n, n);
-        FixedSide                 fixed{side,
-                        patch.side_control_points(side),
-                        greville,
-                                        {},
-                                        {}};
-        splines::BasisValues<1>   basis;
-        for (int k = 0; k < n; ++k)
-          {
-            curve.evaluate_basis({greville[k]}, basis);
-            for (std::size_t a = 0; a < basis.index.size(); ++a)
-              matrix(k, basis.index[a]) = basis.value[a];
-            fixed.position.push_back(curve.point({greville[k]}));
-          }
-        fixed.interpolation.compute(matrix);
+        FixedSide fixed{side, patch.side_control_points(side), greville, {}, {}};
+        fixed.interpolation = interpolation(curve);
+        for (const double s : greville)
+          fixed.position.push_back(curve.point({s}));
         for (const int point : fixed.points)
           for (int i = 0; i < 2; ++i)
             if (condition.fixed[i])
@@ -200,18 +218,19 @@ namespace ephyra::elasticity
           const Expression    &formula   = condition.displacement[i];
           if (!condition.fixed[i])
             continue;
-          const auto      n = static_cast<Eigen::Index>(fixed.points.size());
-          Eigen::VectorXd values(n);
-          for (Eigen::Index k = 0; k < n; ++k)
-            values[k] = formula.is_zero() ?
-                          0. :
-                          factor * formula({fixed.parameter[k],
-                                            fixed.position[k].r,
-                                            fixed.position[k].y,
-                                            t});
+          const std::size_t   n = fixed.points.size();
+          std::vector<double> values(n, 0.);
           if (!formula.is_zero())
-            values = fixed.interpolation.solve(values).eval();
-          for (Eigen::Index k = 0; k < n; ++k)
+            {
+              std::vector<double> at_points(n);
+              for (std::size_t k = 0; k < n; ++k)
+                at_points[k] = factor * formula({fixed.parameter[k],
+                                                 fixed.position[k].r,
+                                                 fixed.position[k].y,
+                                                 t});
+              fixed.interpolation->solve(at_points, values);
+            }
+          for (std::size_t k = 0; k < n; ++k)
             {
               const int unknown = 2 * fixed.points[k] + i;
               EphyraThrowIf(
@@ -253,13 +272,13 @@ namespace ephyra::elasticity
         }
   }
 
-  double
-  Constraints::distance(const std::vector<double> &displacement) const
+  void
+  Constraints::complete(std::vector<double> &correction) const
   {
-    double largest = 0.;
     for (std::size_t i = 0; i < target.size(); ++i)
       if (target[i] == -1)
-        largest = std::max(largest, std::abs(displacement[i] - value[i]));
-    return largest;
+        correction[i] = 0.;
+      else if (master[i] != static_cast<int>(i))
+        correction[i] = correction[master[i]];
   }
 } // namespace ephyra::elasticity

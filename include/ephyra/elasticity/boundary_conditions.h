@@ -1,11 +1,11 @@
 #pragma once
 
 #include "ephyra/base/expression.h"
+#include "ephyra/linear_algebra/direct_solver.h"
 #include "ephyra/splines/nurbs_patch.h"
 
-#include <Eigen/Dense>
-
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -99,12 +99,13 @@ namespace ephyra::elasticity
     /// Writes values of fixed unknowns and copies masters to what follows them.
     void
     apply(std::vector<double> &displacement) const;
+    /// The same for a change of the displacement at fixed loads: zero where
+    /// fixed.
+    void
+    complete(std::vector<double> &correction) const;
     /// Adds entries of tied unknowns to their masters; zero for fixed ones.
     void
     condense(std::vector<double> &force) const;
-    /// Largest change that apply() would make, m.
-    double
-    distance(const std::vector<double> &displacement) const;
 
   private:
     struct FixedSide
@@ -112,9 +113,9 @@ namespace ephyra::elasticity
       splines::Side    side;
       std::vector<int> points; ///< control points
       /// s and reference position at the Greville points of the side.
-      std::vector<double>                 parameter;
-      std::vector<splines::Point>         position;
-      Eigen::PartialPivLU<Eigen::MatrixXd> interpolation;
+      std::vector<double>                           parameter;
+      std::vector<splines::Point>                   position;
+      std::unique_ptr<linear_algebra::DirectSolver> interpolation;
     };
 
     std::array<SideCondition, 4> sides;

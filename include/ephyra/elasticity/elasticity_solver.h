@@ -1,0 +1,191 @@
+#pragma once
+
+#include "ephyra/base/archive.h"
+#include "ephyra/elasticity/elasticity_operator.h"
+#include "ephyra/elasticity/newton.h"
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+
+namespace ephyra::elasticity
+{
+  /// The load of the surroundings on a body at t^{n+1}, f = constant +
+  /// added * a^{n+1}: forces on the unknowns over the full revolution, N.
+  struct InterfaceLoad
+  {
+    /// 2 * point + component; empty: none.
+    std::vector<double> constant;
+    /// Minus the added mass, kg; only rows and columns of the wet surface.
+    const Eigen::SparseMatrix<double, Eigen::RowMajor> *added = nullptr;
+  };
+
+  /// Coefficients of the generalised-alpha method for a spectral radius
+  /// rho_infinity in [0, 1] of high frequencies (Chung & Hulbert 1993,
+  /// 10.1115/1.2900803), eq. (63) of Nitti et al. 2023: u^alpha = alpha_f
+  /// u^{n+1} + (1 - alpha_f) u^n and the same for a with alpha_m. 1/2 gives
+  /// alpha_m = 1, alpha_f = 2/3, beta = 4/9, gamma = 5/6.
+  struct GeneralizedAlpha
+  {
+    explicit GeneralizedAlpha(double rho_infinity);
+    double alpha_m, alpha_f, beta, gamma;
+  };
+
+  /// Motion of a body by the generalised-alpha method, eqs. (59)-(65) of Nitti
+  /// et al. 2023 (10.1016/j.apm.2023.08.003):
+  ///   M a^alpha + F_int(u^alpha) = F_ext(u^alpha, t^alpha) + f^alpha
+  /// with u, a, the activation and the load of the surroundings f weighted
+  /// between t^n and t^{n+1}, the own loads of the body at t^alpha. Newton's
+  /// method solves for a^{n+1}, starting from constant velocity.
+  ///
+  /// advance() goes from the level n to n+1 and may be called any number of
+  /// times with other loads, activations and time steps: level n is kept until
+  /// accept().
+  class ElasticitySolver
+  {
+  public:
+    struct Parameters
+    {
+      ElasticityOperator::Parameters body;
+      Newton::Parameters             newton;
+      double                         rho_infinity = 0.5;
+      /// An advance that repeats a step starts from its last result.
+      bool warm_start = true;
+
+      static void
+      declare(ParameterHandler &prm);
+      void
+      parse(ParameterHandler &prm);
+    };
+
+    ElasticitySolver(const Parameters             &parameters,
+                     const splines::NurbsPatch<2> &patch,
+                     MPI_Comm                      comm);
+    ~ElasticitySolver();
+
+    /// Unknowns that InterfaceLoad::added may couple with each other; call
+    /// before the first step where it is used.
+    void
+    allow_coupling(const std::vector<int> &unknowns);
+    /// Unknowns on the given sides, in ascending order.
+    std::vector<int>
+    side_unknowns(const std::vector<splines::Side> &sides) const;
+
+    /// Starts at time t (s) from a displacement and a velocity (m, m/s; empty:
+    /// zero) with the acceleration that balances the forces there.
+    void
+    initialize(double                     t,
+               const std::vector<double> &displacement = {},
+               const std::vector<double> &velocity     = {});
+
+    /// gamma at t^{n+1} on the lines activation_points() of the operator.
+    void
+    set_activation(const std::vector<double> &gamma);
+
+    /// From t^n = t to t + dt. Level n stays as it is; where the status is a
+    /// failure, level n+1 is of no use.
+    NewtonStatus
+    advance(double t, double dt, const InterfaceLoad &load = {});
+    /// Makes level n+1 the new level n.
+    void
+    accept();
+
+    /// Level n+1 (equal to n after accept() and initialize()), replicated.
+    const std::vector<double> &
+    displacement() const
+    {
+      return next.u;
+    }
+    const std::vector<double> &
+    velocity() const
+    {
+      return next.v;
+    }
+    const std::vector<double> &
+    acceleration() const
+    {
+      return next.a;
+    }
+    /// Level n.
+    const std::vector<double> &
+    old_displacement() const
+    {
+      return level.u;
+    }
+    const std::vector<double> &
+    old_velocity() const
+    {
+      return level.v;
+    }
+    const std::vector<double> &
+    old_acceleration() const
+    {
+      return level.a;
+    }
+    /// The load of the surroundings in the last advance, N.
+    const std::vector<double> &
+    interface_force() const
+    {
+      return next.f;
+    }
+
+    BodyMeasures
+    measures() const
+    {
+      return op->measures(next.u, next.v);
+    }
+    /// Work done by the muscle in the last advance, J.
+    double
+    muscle_work() const
+    {
+      return op->muscle_work(level.u, level.gamma, next.u, next.gamma);
+    }
+    ElasticityOperator &
+    body()
+    {
+      return *op;
+    }
+    const ElasticityOperator &
+    body() const
+    {
+      return *op;
+    }
+    const GeneralizedAlpha &
+    coefficients() const
+    {
+      return alpha;
+    }
+
+    /// Drops what speeds up the solves (kept factorisation, starting points),
+    /// so that a run and its restart continue alike.
+    void
+    forget();
+    /// Level n, which level n+1 becomes as well when reading.
+    void
+    serialize(Archive &archive);
+
+  private:
+    struct Level
+    {
+      std::vector<double> u, v, a;
+      std::vector<double> f;     ///< load of the surroundings, N
+      std::vector<double> gamma; ///< activation
+    };
+    class Problem;
+
+    /// u, v of level n+1 from its acceleration, eqs. (61), (62).
+    void
+    newmark(double dt);
+    void
+    make_newton();
+
+    Parameters                          prm;
+    GeneralizedAlpha                    alpha;
+    std::unique_ptr<ElasticityOperator> op;
+    std::vector<int>                    coupled;
+    std::unique_ptr<Newton>             newton;
+    Level                               level, next;
+    double                              last_dt  = 0.; ///< of the last advance
+    bool                                repeated = false;
+  };
+} // namespace ephyra::elasticity

@@ -1,0 +1,84 @@
+#pragma once
+
+#include "ephyra/elasticity/elasticity_operator.h"
+#include "ephyra/elasticity/newton.h"
+
+#include <functional>
+
+namespace ephyra::elasticity
+{
+  /// Equilibrium of a body by load steps with automatic cut-back. The load
+  /// level goes from 0 to 1; at level l the time is l * end_time, and, where
+  /// `ramp` is on, all loads, prescribed displacements and the activation are
+  /// multiplied by l as well.
+  class StaticsSolver
+  {
+  public:
+    struct Parameters
+    {
+      ElasticityOperator::Parameters body;
+      Newton::Parameters             newton;
+      int                            n_steps  = 1;
+      double                         end_time = 1.;
+      bool                           ramp     = true;
+      /// Smallest increment of the level before giving up.
+      double smallest_step = 1e-4;
+
+      static void
+      declare(ParameterHandler &prm);
+      void
+      parse(ParameterHandler &prm);
+    };
+
+    /// How a run ended; not successful: `level` is the last converged one,
+    /// which displacement() holds, and the reason says what stopped it.
+    struct Result : StepStatus
+    {
+      double       level     = 0.;
+      int          steps     = 0;
+      int          cut_backs = 0;
+      NewtonStatus last; ///< of the last Newton solve
+    };
+
+    /// gamma on the lines activation_points() of the operator at a time.
+    using Activation =
+      std::function<void(double time, std::vector<double> &gamma)>;
+    /// Called after every converged level.
+    using Observer = std::function<void(double level)>;
+
+    /// Throws InputError where nothing holds the body along the axis.
+    StaticsSolver(const Parameters             &parameters,
+                  const splines::NurbsPatch<2> &patch,
+                  MPI_Comm                      comm);
+
+    Result
+    run(const Activation &activation = {}, const Observer &observer = {});
+
+    const std::vector<double> &
+    displacement() const
+    {
+      return u;
+    }
+    ElasticityOperator &
+    body()
+    {
+      return op;
+    }
+    const ElasticityOperator &
+    body() const
+    {
+      return op;
+    }
+
+  private:
+    void
+    set_level(double level, const Activation &activation);
+    void
+    predict(double level, double old_level, double older_level);
+
+    Parameters          prm;
+    ElasticityOperator  op;
+    Newton              newton;
+    std::vector<double> u, u_old, u_older;
+  };
+} // namespace ephyra::elasticity

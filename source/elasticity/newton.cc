@@ -1,0 +1,216 @@
+#include "ephyra/elasticity/newton.h"
+
+#include "ephyra/base/exceptions.h"
+#include "ephyra/base/mpi.h"
+#include "ephyra/base/parameter_handler.h"
+#include "ephyra/base/timer_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ephyra::elasticity
+{
+  void
+  Newton::Parameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry("Newton iterations",
+                      "30",
+                      patterns::Integer(1),
+                      "Most iterations of Newton's method in one step.");
+    prm.declare_entry("Newton tolerance",
+                      "1e-9",
+                      patterns::Double("", 1e-14, 1e-2),
+                      "Residual over the sum of the absolute element forces "
+                      "at which Newton's method has converged.");
+    prm.declare_entry("Line search",
+                      "true",
+                      patterns::Bool(),
+                      "Shortens corrections that overshoot.");
+    prm.declare_entry("Factorisation reuse",
+                      "0.1",
+                      patterns::Double("", 0., 0.9),
+                      "The factorised matrix is kept, also over time steps, "
+                      "while an iteration reduces the residual to this "
+                      "fraction or less; 0 factorises in every iteration.");
+  }
+
+  void
+  Newton::Parameters::parse(ParameterHandler &prm)
+  {
+    max_iterations = prm.get_integer("Newton iterations");
+    tolerance      = prm.get_double("Newton tolerance");
+    line_search    = prm.get_bool("Line search");
+    reuse          = prm.get_double("Factorisation reuse");
+  }
+
+  Newton::Newton(const Parameters                      &parameters,
+                 const linear_algebra::SparsityPattern &pattern,
+                 const MPI_Comm                         comm,
+                 const std::string                     &what)
+    : prm(parameters)
+    , comm(comm)
+    , matrix(pattern, linear_algebra::preferred_storage(pattern, comm), comm)
+    , solver(linear_algebra::make_direct_solver(matrix.storage(), what))
+  {}
+
+  void
+  Newton::forget()
+  {
+    factorized = false;
+  }
+
+  double
+  Newton::dot(const std::vector<double> &x, const std::vector<double> &y) const
+  {
+    double sum = 0.;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      sum += x[i] * y[i];
+    // One value for all ranks: what follows from it is decided alike.
+    mpi::broadcast(&sum, 1, comm);
+    return sum;
+  }
+
+  double
+  Newton::norm(const std::vector<double> &x) const
+  {
+    return std::sqrt(dot(x, x));
+  }
+
+  bool
+  Newton::factorize(NewtonStatus &status)
+  {
+    const TimerTree::Scope scope(timer(), "factorise", matrix.n_rows());
+    try
+      {
+        solver->factorize(matrix);
+      }
+    catch (const DivergedError &error)
+      {
+        status.success = false;
+        status.reason  = error.what();
+        factorized     = false;
+        return false;
+      }
+    ++status.factorizations;
+    factorized = true;
+    return true;
+  }
+
+  NewtonStatus
+  Newton::solve(NonlinearProblem &problem, std::vector<double> &x)
+  {
+    NewtonStatus status;
+    const auto   assemble = [&](std::vector<double> &residual) {
+      const TimerTree::Scope scope(timer(), "tangent", matrix.n_rows());
+      matrix.begin_assembly();
+      const auto evaluation = problem.residual_and_tangent(x, residual, matrix);
+      matrix.finish_assembly();
+      return evaluation;
+    };
+    const auto evaluate = [&](const std::vector<double> &at,
+                              std::vector<double>       &residual) {
+      const TimerTree::Scope scope(timer(), "residual", matrix.n_rows());
+      return problem.residual(at, residual);
+    };
+    const auto fail = [&](const std::string &reason) {
+      status.success = false;
+      status.reason  = reason;
+      factorized     = false;
+      return status;
+    };
+
+    bool assembled  = !factorized; // matrix belongs to x, not yet factorised
+    auto evaluation = assembled ? assemble(r) : evaluate(x, r);
+    if (!evaluation.valid)
+      return fail("the starting point of Newton's method is not admissible: " +
+                  evaluation.reason);
+    double size = norm(r);
+    for (;;)
+      {
+        const double scale = evaluation.scale + evaluation.floor;
+        status.residual    = scale > 0. ? size / scale : size;
+        status.residuals.push_back(status.residual);
+        if (!std::isfinite(size))
+          return fail("the residual of Newton's method is not finite");
+        if (size <= prm.tolerance * evaluation.scale + evaluation.floor)
+          return status;
+        if (status.iterations == prm.max_iterations)
+          {
+            std::ostringstream reason;
+            reason << "Newton's method did not converge in "
+                   << prm.max_iterations << " iterations: relative residual "
+                   << status.residual << ", wanted " << prm.tolerance;
+            return fail(reason.str());
+          }
+
+        const bool fresh = assembled || !factorized;
+        if (fresh)
+          {
+            if (!assembled)
+              assemble(r);
+            assembled = false;
+            if (!factorize(status))
+              return status;
+          }
+        ++status.iterations;
+        {
+          const TimerTree::Scope scope(timer(), "solve", matrix.n_rows());
+          solver->solve(r, correction);
+        }
+        for (double &c : correction)
+          c = -c;
+        problem.complete(correction);
+
+        // Along the correction the work of the residual has to fall.
+        const double work     = dot(correction, r);
+        double       step     = 1.;
+        double       size_new = 0.;
+        auto         trial    = evaluation;
+        bool         accepted = false;
+        for (int attempt = 0; attempt < 12 && !accepted; ++attempt)
+          {
+            x_new = x;
+            for (std::size_t i = 0; i < x.size(); ++i)
+              x_new[i] += step * correction[i];
+            trial    = evaluate(x_new, r_new);
+            size_new = trial.valid ? norm(r_new) : 0.;
+            if (!trial.valid || !std::isfinite(size_new))
+              {
+                if (!fresh)
+                  break;
+                trial.valid = false;
+                step *= 0.5;
+                continue;
+              }
+            const double work_new = dot(correction, r_new);
+            accepted = size_new < size || !prm.line_search ||
+                       std::abs(work_new) <= 0.8 * std::abs(work) ||
+                       attempt >= 5;
+            if (!accepted && !fresh)
+              break;
+            if (!accepted)
+              {
+                const double ratio = work / (work - work_new);
+                step *= std::isfinite(ratio) && ratio > 0. ?
+                          std::clamp(ratio, 0.1, 0.7) :
+                          0.5;
+              }
+          }
+        if (!accepted && fresh)
+          return fail("Newton's method finds no admissible step: " +
+                      trial.reason);
+        if (!accepted || (!fresh && size_new > size))
+          {
+            // The old matrix misleads: try again from here with a new one.
+            factorized = false;
+            continue;
+          }
+        if (size_new > prm.reuse * size)
+          factorized = false;
+        x.swap(x_new);
+        r.swap(r_new);
+        evaluation = trial;
+        size       = size_new;
+      }
+  }
+} // namespace ephyra::elasticity

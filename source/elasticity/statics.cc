@@ -1,0 +1,206 @@
+#include "ephyra/elasticity/statics.h"
+
+#include "admissibility.h"
+
+#include "ephyra/base/exceptions.h"
+#include "ephyra/base/mpi.h"
+#include "ephyra/base/parameter_handler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ephyra::elasticity
+{
+  namespace
+  {
+    class StaticProblem : public NonlinearProblem
+    {
+    public:
+      explicit StaticProblem(ElasticityOperator &op)
+        : op(op)
+      {}
+
+      Evaluation
+      residual(const std::vector<double> &x,
+               std::vector<double>       &residual) override
+      {
+        const auto result = op.residual(x, residual);
+        op.get_constraints().condense(residual);
+        return internal::admissibility(op, result);
+      }
+
+      Evaluation
+      residual_and_tangent(const std::vector<double>    &x,
+                           std::vector<double>          &residual,
+                           linear_algebra::SparseMatrix &tangent) override
+      {
+        const auto result =
+          op.residual_and_tangent(x, residual, tangent, 1., 0.);
+        op.get_constraints().condense(residual);
+        return internal::admissibility(op, result);
+      }
+
+      void
+      complete(std::vector<double> &correction) const override
+      {
+        op.get_constraints().complete(correction);
+      }
+
+    private:
+      ElasticityOperator &op;
+    };
+
+    linear_algebra::SparsityPattern
+    compressed_pattern(const ElasticityOperator &op)
+    {
+      auto pattern = op.sparsity_pattern();
+      pattern.compress();
+      return pattern;
+    }
+  } // namespace
+
+  void
+  StaticsSolver::Parameters::declare(ParameterHandler &prm)
+  {
+    ElasticityOperator::Parameters::declare(prm);
+    Newton::Parameters::declare(prm);
+    ParameterHandler::Section section(prm, "Statics");
+    prm.declare_entry("Load steps",
+                      "10",
+                      patterns::Integer(1),
+                      "Steps from no load to the full load; a step that does "
+                      "not converge is cut.");
+    prm.declare_entry("End time",
+                      "1 s",
+                      patterns::Positive("s"),
+                      "Time of the full load in formulas.");
+    prm.declare_entry("Ramp",
+                      "true",
+                      patterns::Bool(),
+                      "Multiplies loads, prescribed displacements and the "
+                      "activation by the load level; off: only the time in "
+                      "their formulas advances.");
+    prm.declare_entry("Smallest load step",
+                      "1e-4",
+                      patterns::Double("", 1e-12, 1.),
+                      "Fraction of the load below which a step is not cut any "
+                      "more and the run ends.");
+  }
+
+  void
+  StaticsSolver::Parameters::parse(ParameterHandler &prm)
+  {
+    body.parse(prm);
+    newton.parse(prm);
+    ParameterHandler::Section section(prm, "Statics");
+    n_steps       = prm.get_integer("Load steps");
+    end_time      = prm.get_double("End time");
+    ramp          = prm.get_bool("Ramp");
+    smallest_step = prm.get_double("Smallest load step");
+  }
+
+  StaticsSolver::StaticsSolver(const Parameters             &parameters,
+                               const splines::NurbsPatch<2> &patch,
+                               const MPI_Comm                comm)
+    : prm(parameters)
+    , op(parameters.body, patch, comm)
+    , newton(parameters.newton,
+             compressed_pattern(op),
+             comm,
+             "tangent of the statics")
+    , u(op.n_unknowns(), 0.)
+    , u_old(u)
+    , u_older(u)
+  {
+    EphyraThrowIf(!op.get_constraints().holds_axial_position(),
+                  InputError,
+                  "Nothing holds the body along the axis, so that it has no "
+                  "equilibrium; fix the component y on a side.");
+  }
+
+  void
+  StaticsSolver::set_level(const double level, const Activation &activation)
+  {
+    op.set_time(level * prm.end_time, prm.ramp ? level : 1.);
+    if (!activation)
+      return;
+    std::vector<double> gamma(op.activation_points().size(), 0.);
+    activation(level * prm.end_time, gamma);
+    if (prm.ramp)
+      for (double &g : gamma)
+        g *= level;
+    op.set_activation(gamma);
+  }
+
+  void
+  StaticsSolver::predict(const double level,
+                         const double old_level,
+                         const double older_level)
+  {
+    u = u_old;
+    if (old_level > older_level)
+      {
+        const double factor = (level - old_level) / (old_level - older_level);
+        for (std::size_t i = 0; i < u.size(); ++i)
+          u[i] += factor * (u_old[i] - u_older[i]);
+      }
+    op.get_constraints().apply(u);
+  }
+
+  StaticsSolver::Result
+  StaticsSolver::run(const Activation &activation, const Observer &observer)
+  {
+    Result        result;
+    StaticProblem problem(op);
+    double        level = 0., older_level = 0.;
+    const double  full_step = 1. / prm.n_steps;
+    double        step      = full_step;
+    while (level < 1.)
+      {
+        double next = level + step;
+        if (next > 1. - 1e-9)
+          next = 1.;
+        set_level(next, activation);
+        predict(next, level, older_level);
+        result.last = newton.solve(problem, u);
+        if (!result.last.success && level > older_level)
+          {
+            // The extrapolation may be what failed.
+            predict(next, level, level);
+            result.last = newton.solve(problem, u);
+          }
+        result.iterations += result.last.iterations;
+        result.residual = result.last.residual;
+        if (result.last.success)
+          {
+            mpi::broadcast(u.data(), u.size(), op.communicator());
+            u_older.swap(u_old);
+            u_old       = u;
+            older_level = level;
+            level       = next;
+            ++result.steps;
+            step = std::min(full_step, 1.5 * step);
+            if (observer)
+              observer(level);
+            continue;
+          }
+        step *= 0.5;
+        ++result.cut_backs;
+        if (step < prm.smallest_step)
+          {
+            std::ostringstream reason;
+            reason << "Statics stopped at " << 100. * level
+                   << " % of the load, the last level that converged ("
+                   << result.last.reason << "); lower the load, refine the "
+                   << "mesh or allow smaller load steps.";
+            result.success = false;
+            result.reason  = reason.str();
+            u              = u_old;
+            set_level(level, activation);
+            break;
+          }
+      }
+    result.level = level;
+    return result;
+  }
+} // namespace ephyra::elasticity
