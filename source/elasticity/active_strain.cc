@@ -82,13 +82,13 @@ namespace ephyra::elasticity
   void
   ActiveStrain::Parameters::parse(ParameterHandler &prm)
   {
-    const std::string name = prm.get("Form");
-    form                   = name == "none"           ? Form::none :
-                             name == "unit directors" ? Form::unit_directors :
-                                                        Form::paper_metric;
-    a1                     = prm.get_double("Radial amplitude");
-    a3                     = prm.get_double("Coronal amplitude");
-    length                 = prm.get_double("Metric length");
+    const std::string name        = prm.get("Form");
+    form                          = name == "none"             ? Form::none
+                                    : name == "unit directors" ? Form::unit_directors
+                                                               : Form::paper_metric;
+    a1                            = prm.get_double("Radial amplitude");
+    a3                            = prm.get_double("Coronal amplitude");
+    length                        = prm.get_double("Metric length");
     const std::vector<double> cut = prm.get_double_list("Axis cut");
     cut_start                     = cut[0];
     cut_end                       = cut[1];
@@ -113,22 +113,22 @@ namespace ephyra::elasticity
 
   ActiveStrain::ActiveStrain(const Parameters &parameters)
     : prm(parameters)
-  {}
+  {
+  }
 
   double
   ActiveStrain::pattern(const double theta1, const double theta2) const
   {
-    double value =
-      prm.pattern ?
-        (*prm.pattern)({theta1, theta2}) :
-        0.25 * (1. - std::tanh(prm.w2 * (theta2 - prm.delta2))) *
-          (1. - std::tanh(prm.w1 * (prm.delta1 - theta1)));
+    double value = prm.pattern
+                     ? (*prm.pattern)({theta1, theta2})
+                     : 0.25 * (1. - std::tanh(prm.w2 * (theta2 - prm.delta2))) *
+                         (1. - std::tanh(prm.w1 * (prm.delta1 - theta1)));
     if (prm.form == Form::paper_metric && prm.cut_end > 0.)
       {
         const double width = prm.cut_end - prm.cut_start;
-        const double x     = width > 0. ?
-                               std::clamp((theta1 - prm.cut_start) / width, 0., 1.) :
-                               1.;
+        const double x =
+          width > 0. ? std::clamp((theta1 - prm.cut_start) / width, 0., 1.)
+                     : 1.;
         value *= x * x * (3. - 2. * x);
       }
     return value;
@@ -163,11 +163,8 @@ namespace ephyra::elasticity
         const double g  = 1. / std::sqrt(norm_square(frame.g1));
         const double fr = g * frame.g1.r, fy = g * frame.g1.y;
         const double ry = (s1 - s2) * fr * fy;
-        return {s1 * fr * fr + s2 * fy * fy,
-                ry,
-                ry,
-                s1 * fy * fy + s2 * fr * fr,
-                s3};
+        return {
+          s1 * fr * fr + s2 * fy * fy, ry, ry, s1 * fy * fy + s2 * fr * fr, s3};
       }
 
     const double L2     = prm.length * prm.length;

@@ -35,22 +35,21 @@ namespace ephyra::elasticity
     const int     n = tables.n_local(), n2 = tables.n2;
     const int     line1 = e / tables.ne2 * tables.nq1 + q / tables.nq2;
     const double *N1    = &tables.basis1[2 * tables.n1 * line1];
-    const double *N2    = &tables.basis2[(2 * (e % tables.ne2) * tables.nq2 +
-                                       q % tables.nq2) *
-                                      n2];
-    const double *dN2   = N2 + tables.nq2 * n2;
+    const double *N2 =
+      &tables.basis2[(2 * (e % tables.ne2) * tables.nq2 + q % tables.nq2) * n2];
+    const double *dN2     = N2 + tables.nq2 * n2;
     double        x[2][3] = {};
     for (int a = 0; a < n; ++a)
       {
-        const std::size_t k    = static_cast<std::size_t>(e) * n + a;
+        const std::size_t k  = static_cast<std::size_t>(e) * n + a;
         const int         a1 = a / n2, a2 = a % n2;
-        const double N[3] = {N1[a1] * N2[a2],
-                             N1[tables.n1 + a1] * N2[a2],
-                             N1[a1] * dN2[a2]};
+        const double      N[3] = {
+               N1[a1] * N2[a2], N1[tables.n1 + a1] * N2[a2], N1[a1] * dN2[a2]};
         for (int i = 0; i < 2; ++i)
           {
             const int    unknown = 2 * tables.points[k] + i;
-            const double c = tables.weights[k] * (reference[unknown] + u[unknown]);
+            const double c =
+              tables.weights[k] * (reference[unknown] + u[unknown]);
             for (int s = 0; s < 3; ++s)
               x[i][s] += c * N[s];
           }
@@ -92,14 +91,13 @@ namespace ephyra::elasticity
             evaluate(prm.material,
                      elastic_part(F,
                                   active_strain.deformation(tables.frames[k],
-                                                            here *
-                                                              pattern[k])))
+                                                            here * pattern[k])))
               .energy;
           smallest = std::min(smallest, J);
           largest  = std::max(largest, J);
         }
 
-    BodyMeasures out{};
+    BodyMeasures        out{};
     std::vector<double> momentum(v.size(), 0.);
     add_inertia(v, momentum);
     for (std::size_t i = 0; i < v.size(); ++i)
@@ -135,7 +133,7 @@ namespace ephyra::elasticity
       for (int q = 0; q < tables.n_q(); ++q)
         {
           const std::size_t k = static_cast<std::size_t>(e) * tables.n_q() + q;
-          const int line      = e / tables.ne2 * tables.nq1 + q / tables.nq2;
+          const int         line = e / tables.ne2 * tables.nq1 + q / tables.nq2;
           if (gamma_old[line] == gamma_new[line])
             continue;
           const auto active = [&](const double activation) {
@@ -214,9 +212,8 @@ namespace ephyra::elasticity
     PointFields out{};
     out.displacement = at;
     out.pattern      = active_strain.pattern(theta1, theta2);
-    const auto above = std::upper_bound(tables.theta1.begin(),
-                                        tables.theta1.end(),
-                                        theta1);
+    const auto above =
+      std::upper_bound(tables.theta1.begin(), tables.theta1.end(), theta1);
     if (above == tables.theta1.begin())
       out.activation = gamma.front();
     else if (above == tables.theta1.end())
@@ -230,13 +227,12 @@ namespace ephyra::elasticity
       }
 
     const auto &[X, D1, D2, v, d1, d2] = x;
-    const double det                   = D1.r * D2.y - D2.r * D1.y;
-    const AxisymmetricTensor F{
-      1. + (d1.r * D2.y - d2.r * D1.y) / det,
-      (-d1.r * D2.r + d2.r * D1.r) / det,
-      (d1.y * D2.y - d2.y * D1.y) / det,
-      1. + (-d1.y * D2.r + d2.y * D1.r) / det,
-      1. + v.r / X.r};
+    const double             det       = D1.r * D2.y - D2.r * D1.y;
+    const AxisymmetricTensor F{1. + (d1.r * D2.y - d2.r * D1.y) / det,
+                               (-d1.r * D2.r + d2.r * D1.r) / det,
+                               (d1.y * D2.y - d2.y * D1.y) / det,
+                               1. + (-d1.y * D2.r + d2.y * D1.r) / det,
+                               1. + v.r / X.r};
     out.J      = determinant(F);
     out.cauchy = cauchy_stress(
       prm.material,

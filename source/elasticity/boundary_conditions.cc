@@ -14,10 +14,8 @@ namespace ephyra::elasticity
   std::string
   name(const splines::Side side)
   {
-    static const char *const names[] = {"theta1_0",
-                                        "theta1_1",
-                                        "theta2_0",
-                                        "theta2_1"};
+    static const char *const names[] = {
+      "theta1_0", "theta1_1", "theta2_0", "theta2_1"};
     return names[static_cast<int>(side)];
   }
 
@@ -51,8 +49,7 @@ namespace ephyra::elasticity
                       "Pressure, positive towards the body." + where);
     prm.declare_entry("Pressure acts on",
                       "deformed surface",
-                      patterns::Selection(
-                        "deformed surface|reference surface"),
+                      patterns::Selection("deformed surface|reference surface"),
                       "A follower load, or a dead one.");
   }
 
@@ -60,14 +57,15 @@ namespace ephyra::elasticity
   SideCondition::parse(ParameterHandler &prm)
   {
     const std::string components = prm.get("Fixed components");
-    fixed = {{components == "r" || components == "both",
-              components == "y" || components == "both"}};
-    const char *const axes[] = {"Radial", "Axial"};
+    fixed                        = {{components == "r" || components == "both",
+                                     components == "y" || components == "both"}};
+    const char *const axes[]     = {"Radial", "Axial"};
     for (int i = 0; i < 2; ++i)
       {
         const std::string axis = axes[i];
-        displacement[i] = Expression(prm.get(axis + " displacement"), variables);
-        traction[i]     = Expression(prm.get(axis + " traction"), variables);
+        displacement[i] =
+          Expression(prm.get(axis + " displacement"), variables);
+        traction[i] = Expression(prm.get(axis + " traction"), variables);
         if (!fixed[i] && prm.is_set(axis + " displacement") &&
             !displacement[i].is_zero())
           prm.add_error(axis + " displacement",
@@ -97,7 +95,7 @@ namespace ephyra::elasticity
     {
       using linear_algebra::SparseMatrix;
       const std::vector<double> greville = curve.knot_vector(0).greville();
-      linear_algebra::SparsityPattern pattern(curve.n_control_points());
+      linear_algebra::SparsityPattern      pattern(curve.n_control_points());
       std::vector<splines::BasisValues<1>> rows(greville.size());
       for (std::size_t k = 0; k < greville.size(); ++k)
         {
@@ -111,9 +109,8 @@ namespace ephyra::elasticity
         for (std::size_t a = 0; a < rows[k].index.size(); ++a)
           matrix.add(k, rows[k].index[a], rows[k].value[a]);
       matrix.finish_assembly();
-      auto solver =
-        linear_algebra::make_direct_solver(matrix.storage(),
-                                           "interpolation along a side");
+      auto solver = linear_algebra::make_direct_solver(
+        matrix.storage(), "interpolation along a side");
       solver->factorize(matrix);
       return solver;
     }
@@ -136,10 +133,10 @@ namespace ephyra::elasticity
     if (tie != Tie::none)
       {
         const bool first = tie == Tie::theta1;
-        const auto start = first ? splines::Side::theta1_0 :
-                                   splines::Side::theta2_0;
-        const auto end   = first ? splines::Side::theta1_1 :
-                                   splines::Side::theta2_1;
+        const auto start =
+          first ? splines::Side::theta1_0 : splines::Side::theta2_0;
+        const auto end =
+          first ? splines::Side::theta1_1 : splines::Side::theta2_1;
         for (const splines::Side side : {start, end})
           for (int i = 0; i < 2; ++i)
             EphyraThrowIf(sides[static_cast<int>(side)].fixed[i],
@@ -162,8 +159,7 @@ namespace ephyra::elasticity
                                    << k << " differ in radius by " << change
                                    << " m or in weight; tie congruent sides.");
             for (int i = 0; i < 2; ++i)
-              master[2 * from[k] + i] = target[2 * from[k] + i] =
-                2 * to[k] + i;
+              master[2 * from[k] + i] = target[2 * from[k] + i] = 2 * to[k] + i;
           }
       }
 
@@ -172,9 +168,10 @@ namespace ephyra::elasticity
         const SideCondition &condition = sides[static_cast<int>(side)];
         if (!condition.fixed[0] && !condition.fixed[1])
           continue;
-        const splines::NurbsPatch<1> curve = patch.side(side);
-        const std::vector<double> greville = curve.knot_vector(0).greville();
-        FixedSide fixed{side, patch.side_control_points(side), greville, {}, {}};
+        const splines::NurbsPatch<1> curve    = patch.side(side);
+        const std::vector<double>    greville = curve.knot_vector(0).greville();
+        FixedSide                    fixed{
+          side, patch.side_control_points(side), greville, {}, {}};
         fixed.interpolation = interpolation(curve);
         for (const double s : greville)
           fixed.position.push_back(curve.point({s}));
@@ -186,8 +183,12 @@ namespace ephyra::elasticity
       }
 
     for (int k = 0; k < patch.n_control_points(); ++k)
-      if (std::abs(patch.control_points()[k].r) <= 1e-12 * size)
-        target[2 * k] = -1;
+      {
+        on_axis.push_back(std::abs(patch.control_points()[k].r) <=
+                          1e-12 * size);
+        if (on_axis[k])
+          target[2 * k] = -1;
+      }
     // What follows a fixed master is fixed with it, and the other way round.
     for (std::size_t i = 0; i < target.size(); ++i)
       if (target[i] == -1)
@@ -244,6 +245,13 @@ namespace ephyra::elasticity
                          << value[unknown] << " m and " << values[k]
                          << " m at t = " << t
                          << " s; prescribe the same value or free one side.");
+              EphyraThrowIf(i == 0 && on_axis[fixed.points[k]] &&
+                              std::abs(values[k]) > 1e-10 * size,
+                            InputError,
+                            "Side " << name(fixed.side)
+                                    << " moves a point of the axis radially by "
+                                    << values[k] << " m at t = " << t
+                                    << " s; points on the axis stay there.");
               value[unknown]  = values[k];
               source[unknown] = &fixed;
             }

@@ -13,7 +13,7 @@ namespace ephyra::elasticity
 {
   using linear_algebra::SparseMatrix;
 
-  ElasticityOperator::ElasticityOperator(const Parameters             &parameters,
+  ElasticityOperator::ElasticityOperator(const Parameters &parameters,
                                          const splines::NurbsPatch<2> &patch,
                                          const MPI_Comm                comm)
     : prm(parameters)
@@ -34,13 +34,12 @@ namespace ephyra::elasticity
                     "Elasticity is built for degrees 1 to 6, not for degree "
                       << patch.degree(d) << " in direction " << d + 1
                       << " of the patch; choose one of those.");
-    EphyraThrowIf(!(prm.density > 0.) || !(prm.material.c10 > 0.) ||
-                    !(prm.material.K > 0.),
-                  InputError,
-                  "Density " << prm.density << " kg/m^3, c10 "
-                             << prm.material.c10 << " Pa and K "
-                             << prm.material.K
-                             << " Pa of a body all have to be positive.");
+    EphyraThrowIf(
+      !(prm.density > 0.) || !(prm.material.c10 > 0.) || !(prm.material.K > 0.),
+      InputError,
+      "Density " << prm.density << " kg/m^3, c10 " << prm.material.c10
+                 << " Pa and K " << prm.material.K
+                 << " Pa of a body all have to be positive.");
 
     const mpi::Share share = mpi::share(tables.n_elements(), rank, n_ranks);
     first_element          = share.first;
@@ -107,13 +106,12 @@ namespace ephyra::elasticity
   {
     const int n = tables.n_local(), n2 = tables.n2;
     const int pairs = tables.n1 * (tables.n1 + 1) / 2;
-    element_mass.assign(static_cast<std::size_t>(tables.n_elements()) * pairs *
-                          n2 * n2,
-                        0.);
+    element_mass.assign(
+      static_cast<std::size_t>(tables.n_elements()) * pairs * n2 * n2, 0.);
     linear_algebra::SparsityPattern coupled(body.n_control_points());
     for (int e = 0; e < tables.n_elements(); ++e)
-      coupled.add_element({tables.points.begin() + e * n,
-                           tables.points.begin() + (e + 1) * n});
+      coupled.add_element(
+        {tables.points.begin() + e * n, tables.points.begin() + (e + 1) * n});
     coupled.compress();
     mass_start.push_back(0);
     for (const std::vector<int> &row : coupled.columns)
@@ -131,40 +129,42 @@ namespace ephyra::elasticity
         std::fill(local.begin(), local.end(), 0.);
         for (int q = 0; q < tables.n_q(); ++q)
           {
-            const std::size_t k = static_cast<std::size_t>(e) * tables.n_q() + q;
-            const double     *T =
+            const std::size_t k =
+              static_cast<std::size_t>(e) * tables.n_q() + q;
+            const double *T =
               &tables.transform[static_cast<std::size_t>(e) *
                                   PatchTables::n_transform * tables.n_q() +
                                 q];
-            const auto    t = [&](const int row) { return T[row * tables.n_q()]; };
+            const auto t = [&](const int row) { return T[row * tables.n_q()]; };
             const double *N1 =
               &tables.basis1[2 * tables.n1 *
                              (e / tables.ne2 * tables.nq1 + q / tables.nq2)];
             const double *N2 =
-              &tables.basis2[(2 * (e % tables.ne2) * tables.nq2 +
-                              q % tables.nq2) *
-                             n2];
+              &tables
+                 .basis2[(2 * (e % tables.ne2) * tables.nq2 + q % tables.nq2) *
+                         n2];
             const double *dN2 = N2 + tables.nq2 * n2;
             for (int a = 0; a < n; ++a)
               {
-                const double w = tables.weights[e * n + a];
+                const double w  = tables.weights[e * n + a];
                 const int    a1 = a / n2, a2 = a % n2;
-                const double N  = w * N1[a1] * N2[a2];
-                const double d1 = w * N1[tables.n1 + a1] * N2[a2];
-                const double d2 = w * N1[a1] * dN2[a2];
-                R[a]            = N * t(6) * tables.frames[k].r;
+                const double N   = w * N1[a1] * N2[a2];
+                const double d1  = w * N1[tables.n1 + a1] * N2[a2];
+                const double d2  = w * N1[a1] * dN2[a2];
+                R[a]             = N * t(6) * tables.frames[k].r;
                 const double g_r = t(0) * N + t(1) * d1 + t(2) * d2;
                 const double g_y = t(3) * N + t(4) * d1 + t(5) * d2;
                 const double h   = t(6) * N;
-                const double f =
-                  prm.material.bulk_modulus() * tables.volume[k] *
-                  std::sqrt(g_r * g_r + g_y * g_y + h * h);
+                const double f   = prm.material.bulk_modulus() *
+                                 tables.volume[k] *
+                                 std::sqrt(g_r * g_r + g_y * g_y + h * h);
                 unit_force[2 * tables.points[e * n + a]] += f;
                 unit_force[2 * tables.points[e * n + a] + 1] += f;
               }
             for (int a = 0; a < n; ++a)
               for (int b = 0; b < n; ++b)
-                local[a * n + b] += prm.density * tables.volume[k] * R[a] * R[b];
+                local[a * n + b] +=
+                  prm.density * tables.volume[k] * R[a] * R[b];
           }
 
         double *pair =
@@ -229,10 +229,9 @@ namespace ephyra::elasticity
   {
     EphyraThrowIf(new_gamma.size() != tables.theta1.size(),
                   InputError,
-                  "The activation has " << new_gamma.size()
-                                        << " values instead of one on each of "
-                                        << tables.theta1.size()
-                                        << " lines of Gauss points.");
+                  "The activation has "
+                    << new_gamma.size() << " values instead of one on each of "
+                    << tables.theta1.size() << " lines of Gauss points.");
     gamma = new_gamma;
     if (!active_strain.active())
       return;
@@ -248,15 +247,17 @@ namespace ephyra::elasticity
     for (int e = first_element; e < first_element + n_own_elements; ++e)
       for (int q = 0; q < nq; ++q)
         {
-          const std::size_t k    = static_cast<std::size_t>(e) * nq + q;
-          const double      here = gamma[e / tables.ne2 * tables.nq1 + q / tables.nq2];
+          const std::size_t k = static_cast<std::size_t>(e) * nq + q;
+          const double      here =
+            gamma[e / tables.ne2 * tables.nq1 + q / tables.nq2];
           const AxisymmetricTensor F =
             active_strain.deformation(tables.frames[k], here * pattern[k]);
           if (prm.material.small_strain)
             {
-              const double  values[] = {F[0] - 1., F[1], F[3] - 1., F[4] - 1.};
+              const double values[] = {F[0] - 1., F[1], F[3] - 1., F[4] - 1.};
               for (int i = 0; i < 4; ++i)
-                shift[(4 * static_cast<std::size_t>(e) + i) * nq + q] = values[i];
+                shift[(4 * static_cast<std::size_t>(e) + i) * nq + q] =
+                  values[i];
               continue;
             }
           const AxisymmetricTensor G = inverse(F);
@@ -295,12 +296,12 @@ namespace ephyra::elasticity
                               const double  stiffness_factor,
                               const double  mass_factor)
   {
-    const int     nq = tables.n_q(), n = tables.n_local();
-    const auto    index = static_cast<std::size_t>(e);
-    const double *T     = &transform[index * PatchTables::n_transform * nq];
-    const double *volume = &tables.volume[index * nq];
-    const double *moved  = &shift[index * 4 * nq];
-    const Material &m    = prm.material;
+    const int       nq = tables.n_q(), n = tables.n_local();
+    const auto      index  = static_cast<std::size_t>(e);
+    const double   *T      = &transform[index * PatchTables::n_transform * nq];
+    const double   *volume = &tables.volume[index * nq];
+    const double   *moved  = &shift[index * 4 * nq];
+    const Material &m      = prm.material;
 
     internal::evaluate_values<n2>(tables, e, *work);
     if (m.small_strain)
@@ -370,18 +371,18 @@ namespace ephyra::elasticity
     const auto run = [&](const int e) {
       switch (tables.n2)
         {
-          case 2:
-            return element<2>(e, matrix, stiffness_factor, mass_factor);
-          case 3:
-            return element<3>(e, matrix, stiffness_factor, mass_factor);
-          case 4:
-            return element<4>(e, matrix, stiffness_factor, mass_factor);
-          case 5:
-            return element<5>(e, matrix, stiffness_factor, mass_factor);
-          case 6:
-            return element<6>(e, matrix, stiffness_factor, mass_factor);
-          default:
-            return element<7>(e, matrix, stiffness_factor, mass_factor);
+        case 2:
+          return element<2>(e, matrix, stiffness_factor, mass_factor);
+        case 3:
+          return element<3>(e, matrix, stiffness_factor, mass_factor);
+        case 4:
+          return element<4>(e, matrix, stiffness_factor, mass_factor);
+        case 5:
+          return element<5>(e, matrix, stiffness_factor, mass_factor);
+        case 6:
+          return element<6>(e, matrix, stiffness_factor, mass_factor);
+        default:
+          return element<7>(e, matrix, stiffness_factor, mass_factor);
         }
     };
 

@@ -51,9 +51,9 @@ namespace ephyra::elasticity
     body_force = {{Expression(prm.get("Radial body force"), variables),
                    Expression(prm.get("Axial body force"), variables)}};
     const std::string tied = prm.get("Tied sides");
-    tie                    = tied == "none"   ? Tie::none :
-                             tied == "theta1" ? Tie::theta1 :
-                                                Tie::theta2;
+    tie                    = tied == "none"     ? Tie::none
+                             : tied == "theta1" ? Tie::theta1
+                                                : Tie::theta2;
     {
       ParameterHandler::Section section(prm, "Active strain");
       active_strain.parse(prm);

@@ -58,7 +58,8 @@ namespace ephyra::elasticity
       , u(s.level.u.size())
       , a(s.level.u.size())
       , f(s.level.u.size())
-    {}
+    {
+    }
 
     Evaluation
     residual(const std::vector<double> &x,
@@ -205,10 +206,8 @@ namespace ephyra::elasticity
         equations.push_back(i);
     pattern.add_element(equations);
     pattern.compress();
-    newton = std::make_unique<Newton>(prm.newton,
-                                      pattern,
-                                      op->communicator(),
-                                      "effective mass of the body");
+    newton = std::make_unique<Newton>(
+      prm.newton, pattern, op->communicator(), "effective mass of the body");
   }
 
   void
@@ -257,10 +256,9 @@ namespace ephyra::elasticity
   {
     EphyraThrowIf(gamma.size() != level.gamma.size(),
                   InputError,
-                  "The activation has " << gamma.size()
-                                        << " values instead of one on each of "
-                                        << level.gamma.size()
-                                        << " lines of Gauss points.");
+                  "The activation has "
+                    << gamma.size() << " values instead of one on each of "
+                    << level.gamma.size() << " lines of Gauss points.");
     next.gamma = gamma;
   }
 
@@ -271,10 +269,10 @@ namespace ephyra::elasticity
       {
         next.v[i] = level.v[i] + dt * ((1. - alpha.gamma) * level.a[i] +
                                        alpha.gamma * next.a[i]);
-        next.u[i] = level.u[i] + dt * level.v[i] +
-                    0.5 * dt * dt *
-                      ((1. - 2. * alpha.beta) * level.a[i] +
-                       2. * alpha.beta * next.a[i]);
+        next.u[i] =
+          level.u[i] + dt * level.v[i] +
+          0.5 * dt * dt *
+            ((1. - 2. * alpha.beta) * level.a[i] + 2. * alpha.beta * next.a[i]);
       }
   }
 
@@ -321,8 +319,8 @@ namespace ephyra::elasticity
     problem.interface_force(next.a, next.f);
     repeated = status.success;
     if (!status.success)
-      status.reason = "elasticity at t = " + std::to_string(t + dt) + " s: " +
-                      status.reason;
+      status.reason =
+        "elasticity at t = " + std::to_string(t + dt) + " s: " + status.reason;
     return status;
   }
 
@@ -352,17 +350,15 @@ namespace ephyra::elasticity
     archive.values("activation", level.gamma);
     if (archive.reading())
       {
-        EphyraThrowIf(level.u.size() !=
-                          static_cast<std::size_t>(op->n_unknowns()) ||
-                        level.gamma.size() != op->activation_points().size(),
-                      InputError,
-                      "The saved body has "
-                        << level.u.size() << " unknowns and "
-                        << level.gamma.size()
-                        << " lines of activation, the body of the scene "
-                        << op->n_unknowns() << " and "
-                        << op->activation_points().size()
-                        << "; restart with the scene that was saved.");
+        EphyraThrowIf(
+          level.u.size() != static_cast<std::size_t>(op->n_unknowns()) ||
+            level.gamma.size() != op->activation_points().size(),
+          InputError,
+          "The saved body has "
+            << level.u.size() << " unknowns and " << level.gamma.size()
+            << " lines of activation, the body of the scene "
+            << op->n_unknowns() << " and " << op->activation_points().size()
+            << "; restart with the scene that was saved.");
         next     = level;
         repeated = false;
       }

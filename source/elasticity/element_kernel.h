@@ -21,7 +21,8 @@ namespace ephyra::elasticity::internal
       , moduli(36 * g.n_q())
       , lines(16 * g.nq2)
       , matrix(4 * g.n_local() * g.n_local())
-    {}
+    {
+    }
 
     std::vector<double> coefficients; ///< w_a x_a: [component][a]
     std::vector<double> values;       ///< [component][s][q]
@@ -47,8 +48,8 @@ namespace ephyra::elasticity::internal
     for (int i = 0; i < 2; ++i)
       for (int q1 = 0; q1 < g.nq1; ++q1)
         {
-          const double *N1 = basis1 + q1 * 2 * n1;
-          const double *c  = &work.coefficients[i * g.n_local()];
+          const double *N1    = basis1 + q1 * 2 * n1;
+          const double *c     = &work.coefficients[i * g.n_local()];
           double        v[n2] = {}, dv[n2] = {};
           for (int a1 = 0; a1 < n1; ++a1)
             for (int a2 = 0; a2 < n2; ++a2)
@@ -123,15 +124,15 @@ namespace ephyra::elasticity::internal
         double *D = &work.moduli[q1 * 36 * nq2];
         for (int q2 = 0; q2 < nq2; ++q2)
           {
-            const int    q  = q1 * nq2 + q2;
-            const double tr0 = T0[q], tr1 = T1[q], tr2 = T2[q];
-            const double ty0 = T3[q], ty1 = T4[q], ty2 = T5[q], th = T6[q];
-            double       f0 = tr0 * r0[q] + tr1 * r1[q] + tr2 * r2[q];
-            double       f1 = ty0 * r0[q] + ty1 * r1[q] + ty2 * r2[q];
-            double       f2 = tr0 * y0[q] + tr1 * y1[q] + tr2 * y2[q];
-            double       f3 = ty0 * y0[q] + ty1 * y1[q] + ty2 * y2[q];
-            double       f4 = th * r0[q];
-            double       p0, p1, p2, p3, p4;
+            const int      q   = q1 * nq2 + q2;
+            const double   tr0 = T0[q], tr1 = T1[q], tr2 = T2[q];
+            const double   ty0 = T3[q], ty1 = T4[q], ty2 = T5[q], th = T6[q];
+            double         f0 = tr0 * r0[q] + tr1 * r1[q] + tr2 * r2[q];
+            double         f1 = ty0 * r0[q] + ty1 * r1[q] + ty2 * r2[q];
+            double         f2 = tr0 * y0[q] + tr1 * y1[q] + tr2 * y2[q];
+            double         f3 = ty0 * y0[q] + ty1 * y1[q] + ty2 * y2[q];
+            double         f4 = th * r0[q];
+            double         p0, p1, p2, p3, p4;
             TangentEntries t;
             if (small_strain)
               {
@@ -140,8 +141,19 @@ namespace ephyra::elasticity::internal
                 f2 -= shift[nq + q];
                 f3 -= shift[2 * nq + q];
                 f4 -= shift[3 * nq + q];
-                linear_elastic(
-                  modulus1, modulus2, f0, f1, f2, f3, f4, p0, p1, p2, p3, p4, t);
+                linear_elastic(modulus1,
+                               modulus2,
+                               f0,
+                               f1,
+                               f2,
+                               f3,
+                               f4,
+                               p0,
+                               p1,
+                               p2,
+                               p3,
+                               p4,
+                               t);
               }
             else
               neo_hookean(modulus1,
@@ -289,8 +301,8 @@ namespace ephyra::elasticity::internal
             for (int q2 = 0; q2 < nq2; ++q2)
               for (int a2 = 0; a2 < n2; ++a2)
                 {
-                  v[a2] += N2[q2 * n2 + a2] * f0[q2] +
-                           dN2[q2 * n2 + a2] * f2[q2];
+                  v[a2] +=
+                    N2[q2 * n2 + a2] * f0[q2] + dN2[q2 * n2 + a2] * f2[q2];
                   dv[a2] += N2[q2 * n2 + a2] * f1[q2];
                 }
             const double *N1 = basis1 + q1 * 2 * n1;
@@ -323,9 +335,9 @@ namespace ephyra::elasticity::internal
     const double *P00    = &g.products2[(e % g.ne2) * 4 * nq2 * n22];
     const double *P01 = P00 + nq2 * n22, *P10 = P01 + nq2 * n22,
                  *P11 = P10 + nq2 * n22;
-    const double *w = &g.weights[static_cast<std::size_t>(e) * g.n_local()];
-    double       *x00 = work.lines.data(), *x02 = x00 + width,
-           *x20 = x02 + width, *x22 = x20 + width;
+    const double *w   = &g.weights[static_cast<std::size_t>(e) * g.n_local()];
+    double *x00 = work.lines.data(), *x02 = x00 + width, *x20 = x02 + width,
+           *x22 = x20 + width;
 
     for (int a1 = 0; a1 < n1; ++a1)
       for (int b1 = a1; b1 < n1; ++b1, mass += n22)
@@ -375,9 +387,9 @@ namespace ephyra::elasticity::internal
               const double *wb   = w + b1 * n2;
               for (int b2 = 0; b2 < n2; ++b2)
                 {
-                  const int    m  = a2 * n2 + b2;
-                  const double ww = w[a] * wb[b2];
-                  const double M  = mass_factor * mass[m];
+                  const int    m   = a2 * n2 + b2;
+                  const double ww  = w[a] * wb[b2];
+                  const double M   = mass_factor * mass[m];
                   row0[2 * b2]     = ww * K[0][m] + M;
                   row0[2 * b2 + 1] = ww * K[1][m];
                   row1[2 * b2]     = ww * K[2][m];

@@ -27,11 +27,11 @@ namespace ephyra::elasticity
   void
   Material::declare(ParameterHandler &prm)
   {
-    prm.declare_entry("Moduli",
-                      "c10 and K",
-                      patterns::Selection(
-                        "c10 and K|Young and Poisson|shear and bulk"),
-                      "Which pair of entries below gives the stiffness.");
+    prm.declare_entry(
+      "Moduli",
+      "c10 and K",
+      patterns::Selection("c10 and K|Young and Poisson|shear and bulk"),
+      "Which pair of entries below gives the stiffness.");
     prm.declare_entry("c10",
                       "400 Pa",
                       patterns::Positive("Pa"),
@@ -46,21 +46,17 @@ namespace ephyra::elasticity
                       "2393.6 Pa",
                       patterns::Positive("Pa"),
                       "Young's modulus at small strain.");
-    prm.declare_entry("Poisson ratio",
-                      "0.496",
-                      patterns::Double("",
-                                       -1.,
-                                       0.5,
-                                       patterns::Double::Bounds::open),
-                      "Poisson's ratio at small strain, below 0.5.");
+    prm.declare_entry(
+      "Poisson ratio",
+      "0.496",
+      patterns::Double("", -1., 0.5, patterns::Double::Bounds::open),
+      "Poisson's ratio at small strain, below 0.5.");
     prm.declare_entry("Shear modulus",
                       "800 Pa",
                       patterns::Positive("Pa"),
                       "Shear modulus, 2 c10.");
-    prm.declare_entry("Bulk modulus",
-                      "1e5 Pa",
-                      patterns::Positive("Pa"),
-                      "Bulk modulus, 2 K.");
+    prm.declare_entry(
+      "Bulk modulus", "1e5 Pa", patterns::Positive("Pa"), "Bulk modulus, 2 K.");
     prm.declare_entry("Small strain",
                       "false",
                       patterns::Bool(),
@@ -157,10 +153,10 @@ namespace ephyra::elasticity
           material.c10 * (I1 * i - 3.) + material.K * (J - 1.) * (J - 1.);
       }
 
-    out.tangent = {t.rr00, t.rr01, t.ry00, t.ry01, t.hr0,  //
-                   t.rr01, t.rr11, t.ry10, t.ry11, t.hr1,  //
-                   t.ry00, t.ry10, t.yy00, t.yy01, t.hy0,  //
-                   t.ry01, t.ry11, t.yy01, t.yy11, t.hy1,  //
+    out.tangent = {t.rr00, t.rr01, t.ry00, t.ry01, t.hr0, //
+                   t.rr01, t.rr11, t.ry10, t.ry11, t.hr1, //
+                   t.ry00, t.ry10, t.yy00, t.yy01, t.hy0, //
+                   t.ry01, t.ry11, t.yy01, t.yy11, t.hy1, //
                    t.hr0,  t.hr1,  t.hy0,  t.hy1,  t.hh};
     return out;
   }

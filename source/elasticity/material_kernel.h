@@ -53,21 +53,21 @@ namespace ephyra::elasticity::internal
     const double k0 = c * h0 - e * f0, k1 = c * h1 - e * f1;
     const double k2 = c * h2 - e * f2, k3 = c * h3 - e * f3;
     const double k4 = c * h4 - e * f4;
-    t.rr00 = a + h0 * k0 - e * h0 * f0 - b * h0 * h0;
-    t.rr01 = h1 * k0 - e * h0 * f1 - b * h1 * h0;
-    t.rr11 = a + h1 * k1 - e * h1 * f1 - b * h1 * h1;
-    t.yy00 = a + h2 * k2 - e * h2 * f2 - b * h2 * h2;
-    t.yy01 = h3 * k2 - e * h2 * f3 - b * h3 * h2;
-    t.yy11 = a + h3 * k3 - e * h3 * f3 - b * h3 * h3;
-    t.ry00 = h2 * k0 - e * h0 * f2 - b * h0 * h2;
-    t.ry01 = h3 * k0 - e * h0 * f3 - b * h1 * h2;
-    t.ry10 = h2 * k1 - e * h1 * f2 - b * h0 * h3;
-    t.ry11 = h3 * k1 - e * h1 * f3 - b * h1 * h3;
-    t.hr0  = h0 * k4 - e * h4 * f0;
-    t.hr1  = h1 * k4 - e * h4 * f1;
-    t.hy0  = h2 * k4 - e * h4 * f2;
-    t.hy1  = h3 * k4 - e * h4 * f3;
-    t.hh   = a + h4 * k4 - e * h4 * f4 - b * h4 * h4;
+    t.rr00          = a + h0 * k0 - e * h0 * f0 - b * h0 * h0;
+    t.rr01          = h1 * k0 - e * h0 * f1 - b * h1 * h0;
+    t.rr11          = a + h1 * k1 - e * h1 * f1 - b * h1 * h1;
+    t.yy00          = a + h2 * k2 - e * h2 * f2 - b * h2 * h2;
+    t.yy01          = h3 * k2 - e * h2 * f3 - b * h3 * h2;
+    t.yy11          = a + h3 * k3 - e * h3 * f3 - b * h3 * h3;
+    t.ry00          = h2 * k0 - e * h0 * f2 - b * h0 * h2;
+    t.ry01          = h3 * k0 - e * h0 * f3 - b * h1 * h2;
+    t.ry10          = h2 * k1 - e * h1 * f2 - b * h0 * h3;
+    t.ry11          = h3 * k1 - e * h1 * f3 - b * h1 * h3;
+    t.hr0           = h0 * k4 - e * h4 * f0;
+    t.hr1           = h1 * k4 - e * h4 * f1;
+    t.hy0           = h2 * k4 - e * h4 * f2;
+    t.hy1           = h3 * k4 - e * h4 * f3;
+    t.hh            = a + h4 * k4 - e * h4 * f4 - b * h4 * h4;
   }
 
   /// Linear elasticity: P = 2 mu e + (kappa - 2/3 mu) tr e, e = sym F - 1.

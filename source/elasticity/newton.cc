@@ -51,7 +51,8 @@ namespace ephyra::elasticity
     , comm(comm)
     , matrix(pattern, linear_algebra::preferred_storage(pattern, comm), comm)
     , solver(linear_algebra::make_direct_solver(matrix.storage(), what))
-  {}
+  {
+  }
 
   void
   Newton::forget()
@@ -183,7 +184,7 @@ namespace ephyra::elasticity
                 continue;
               }
             const double work_new = dot(correction, r_new);
-            accepted = size_new < size || !prm.line_search ||
+            accepted              = size_new < size || !prm.line_search ||
                        std::abs(work_new) <= 0.8 * std::abs(work) ||
                        attempt >= 5;
             if (!accepted && !fresh)
@@ -191,9 +192,9 @@ namespace ephyra::elasticity
             if (!accepted)
               {
                 const double ratio = work / (work - work_new);
-                step *= std::isfinite(ratio) && ratio > 0. ?
-                          std::clamp(ratio, 0.1, 0.7) :
-                          0.5;
+                step *= std::isfinite(ratio) && ratio > 0.
+                          ? std::clamp(ratio, 0.1, 0.7)
+                          : 0.5;
               }
           }
         if (!accepted && fresh)

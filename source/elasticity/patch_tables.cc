@@ -65,8 +65,8 @@ namespace ephyra::elasticity
           for (int d = 0; d < 2; ++d)
             for (int a = 0; a < n2; ++a)
               {
-                const int block = (2 * e2 + d) * nq2 * n2;
-                basis2[block + q2 * n2 + a]             = N[d * n2 + a];
+                const int block             = (2 * e2 + d) * nq2 * n2;
+                basis2[block + q2 * n2 + a] = N[d * n2 + a];
                 basis2_transposed[block + a * nq2 + q2] = N[d * n2 + a];
               }
           for (int kind = 0; kind < 4; ++kind)
@@ -88,10 +88,10 @@ namespace ephyra::elasticity
     for (int e1 = 0; e1 < ne1; ++e1)
       for (int e2 = 0; e2 < ne2; ++e2)
         {
-          const int   e  = e1 * ne2 + e2;
-          const int   i1 = patch.knot_vector(0).first_basis(e1);
-          const int   i2 = patch.knot_vector(1).first_basis(e2);
-          const auto  local = static_cast<std::size_t>(e) * n_local();
+          const int  e     = e1 * ne2 + e2;
+          const int  i1    = patch.knot_vector(0).first_basis(e1);
+          const int  i2    = patch.knot_vector(1).first_basis(e2);
+          const auto local = static_cast<std::size_t>(e) * n_local();
           for (int a1 = 0; a1 < n1; ++a1)
             for (int a2 = 0; a2 < n2; ++a2)
               {
@@ -111,10 +111,10 @@ namespace ephyra::elasticity
               for (int a1 = 0; a1 < n1; ++a1)
                 for (int a2 = 0; a2 < n2; ++a2)
                   {
-                    const auto   a = local + a1 * n2 + a2;
-                    const double N[3] = {N1[a1] * N2[a2],
-                                         N1[n1 + a1] * N2[a2],
-                                         N1[a1] * N2[n2 + a2]};
+                    const auto            a    = local + a1 * n2 + a2;
+                    const double          N[3] = {N1[a1] * N2[a2],
+                                                  N1[n1 + a1] * N2[a2],
+                                                  N1[a1] * N2[n2 + a2]};
                     const splines::Point &x = patch.control_points()[points[a]];
                     for (int s = 0; s < 3; ++s)
                       {
@@ -124,10 +124,10 @@ namespace ephyra::elasticity
                       }
                   }
               const double r = R[0] / W[0], y = Y[0] / W[0];
-              const double r1 = (R[1] - r * W[1]) / W[0];
-              const double r2 = (R[2] - r * W[2]) / W[0];
-              const double y1 = (Y[1] - y * W[1]) / W[0];
-              const double y2 = (Y[2] - y * W[2]) / W[0];
+              const double r1  = (R[1] - r * W[1]) / W[0];
+              const double r2  = (R[2] - r * W[2]) / W[0];
+              const double y1  = (Y[1] - y * W[1]) / W[0];
+              const double y2  = (Y[2] - y * W[2]) / W[0];
               const double det = r1 * y2 - r2 * y1;
 
               const auto where = [&]() {

@@ -13,9 +13,9 @@ namespace ephyra::elasticity
     : condition(condition)
     , points(patch.side_control_points(side))
     , quadrature(patch.side(side), {{points_per_element}})
-    , sign(side == splines::Side::theta2_0 || side == splines::Side::theta1_1 ?
-             orientation :
-             -orientation)
+    , sign(side == splines::Side::theta2_0 || side == splines::Side::theta1_1
+             ? orientation
+             : -orientation)
     , follower(condition.follower && !reference_only)
   {
     for (const splines::Point &x : patch.control_points())
@@ -42,10 +42,10 @@ namespace ephyra::elasticity
         for (int q = 0; q < quadrature.n_points(); ++q)
           {
             const int k = quadrature.point_index(e, q);
-            values[k]   = factor * formula({quadrature.theta(e, q)[0],
-                                            position[k].r,
-                                            position[k].y,
-                                            t});
+            values[k] =
+              factor *
+              formula(
+                {quadrature.theta(e, q)[0], position[k].r, position[k].y, t});
           }
     };
     evaluate(condition.pressure, pressure);
@@ -86,11 +86,11 @@ namespace ephyra::elasticity
         std::fill(force.begin(), force.end(), 0.);
         for (int q = 0; q < quadrature.n_points(); ++q)
           {
-            const int     k = quadrature.point_index(e, q);
-            const Surface s = surface(follower ? x : reference, e, q);
-            const Surface s0 = follower ? surface(reference, e, q) : s;
-            const double  w  = 2. * M_PI * quadrature.weight(e, q);
-            const double  p  = w * sign * pressure[k] * s.r;
+            const int     k    = quadrature.point_index(e, q);
+            const Surface s    = surface(follower ? x : reference, e, q);
+            const Surface s0   = follower ? surface(reference, e, q) : s;
+            const double  w    = 2. * M_PI * quadrature.weight(e, q);
+            const double  p    = w * sign * pressure[k] * s.r;
             const double  area = w * s0.r * std::hypot(s0.dr, s0.dy);
             const double  f_r  = -p * s.dy + area * traction[0][k];
             const double  f_y  = p * s.dr + area * traction[1][k];

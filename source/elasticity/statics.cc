@@ -18,7 +18,8 @@ namespace ephyra::elasticity
     public:
       explicit StaticProblem(ElasticityOperator &op)
         : op(op)
-      {}
+      {
+      }
 
       Evaluation
       residual(const std::vector<double> &x,

@@ -121,8 +121,9 @@ namespace ephyra::elasticity
     std::array<SideCondition, 4> sides;
     std::vector<FixedSide>       fixed_sides;
     std::vector<int>             target;
-    std::vector<int>             master; ///< of tied unknowns, else itself
-    std::vector<double>          value;  ///< of fixed unknowns
-    double                       size;   ///< of the patch, m
+    std::vector<int>             master;  ///< of tied unknowns, else itself
+    std::vector<double>          value;   ///< of fixed unknowns
+    std::vector<bool>            on_axis; ///< control points
+    double                       size;    ///< of the patch, m
   };
 } // namespace ephyra::elasticity

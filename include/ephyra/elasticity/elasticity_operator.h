@@ -23,14 +23,14 @@ namespace ephyra::elasticity
   /// Integrals of a body over the full revolution.
   struct BodyMeasures
   {
-    double         mass;           ///< kg
-    double         volume;         ///< m^3, deformed
-    double         centre_of_mass; ///< axial position, m
-    double         momentum;       ///< axial, kg m/s
-    double         elastic_energy; ///< J
-    double         kinetic_energy; ///< J
-    double         smallest_J;     ///< over the Gauss points
-    double         largest_J;
+    double mass;           ///< kg
+    double volume;         ///< m^3, deformed
+    double centre_of_mass; ///< axial position, m
+    double momentum;       ///< axial, kg m/s
+    double elastic_energy; ///< J
+    double kinetic_energy; ///< J
+    double smallest_J;     ///< over the Gauss points
+    double largest_J;
   };
 
   /// What is known at one parametric point, for output.

@@ -101,6 +101,6 @@ namespace ephyra::elasticity
     linear_algebra::SparseMatrix                  matrix;
     std::unique_ptr<linear_algebra::DirectSolver> solver;
     bool                                          factorized = false;
-    std::vector<double> r, r_new, correction, x_new;
+    std::vector<double>                           r, r_new, correction, x_new;
   };
 } // namespace ephyra::elasticity

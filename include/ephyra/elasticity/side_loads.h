@@ -60,14 +60,14 @@ namespace ephyra::elasticity
     Surface
     surface(const std::vector<double> &x, int element, int q) const;
 
-    SideCondition                   condition;
-    std::vector<int>                points; ///< control points of the side
-    splines::PatchQuadrature<1>     quadrature;
-    std::vector<double>             reference; ///< positions, 2 * point + i
-    std::vector<splines::Point>     position;  ///< of the Gauss points
-    double                          sign;      ///< of the outward normal
-    bool                            follower;
-    std::vector<double>             pressure; ///< at the Gauss points
+    SideCondition                      condition;
+    std::vector<int>                   points; ///< control points of the side
+    splines::PatchQuadrature<1>        quadrature;
+    std::vector<double>                reference; ///< positions, 2 * point + i
+    std::vector<splines::Point>        position;  ///< of the Gauss points
+    double                             sign;      ///< of the outward normal
+    bool                               follower;
+    std::vector<double>                pressure; ///< at the Gauss points
     std::array<std::vector<double>, 2> traction;
   };
 } // namespace ephyra::elasticity
