@@ -1,7 +1,9 @@
-// Quantities of the body that are evaluated now and then: not in the hot loop.
-#include "ephyra/elasticity/elasticity_operator.h"
+// The functions of ElasticityOperator that are called now and then: what is
+// evaluated on a body, rather than what its equations are assembled from.
+#include "ephyra/elasticity/body_measures.h"
 
 #include "ephyra/base/mpi.h"
+#include "ephyra/elasticity/elasticity_operator.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
-#include "ephyra/elasticity/elasticity_operator.h"
+#include "ephyra/elasticity/elasticity_parameters.h"
 
 #include "ephyra/base/parameter_handler.h"
 
 namespace ephyra::elasticity
 {
   void
-  ElasticityOperator::Parameters::declare(ParameterHandler &prm)
+  ElasticityParameters::declare(ParameterHandler &prm)
   {
     Material::declare(prm);
     prm.declare_entry("Density",
@@ -42,7 +42,7 @@ namespace ephyra::elasticity
   }
 
   void
-  ElasticityOperator::Parameters::parse(ParameterHandler &prm)
+  ElasticityParameters::parse(ParameterHandler &prm)
   {
     material.parse(prm);
     density      = prm.get_double("Density");

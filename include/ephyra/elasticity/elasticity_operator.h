@@ -1,8 +1,7 @@
 #pragma once
 
-#include "ephyra/elasticity/active_strain.h"
-#include "ephyra/elasticity/boundary_conditions.h"
-#include "ephyra/elasticity/material.h"
+#include "ephyra/elasticity/body_measures.h"
+#include "ephyra/elasticity/elasticity_parameters.h"
 #include "ephyra/elasticity/patch_tables.h"
 #include "ephyra/elasticity/side_loads.h"
 #include "ephyra/linear_algebra/sparse_matrix.h"
@@ -19,29 +18,6 @@ namespace ephyra::elasticity
   {
     struct ElementWork;
   }
-
-  /// Integrals of a body over the full revolution.
-  struct BodyMeasures
-  {
-    double mass;           ///< kg
-    double volume;         ///< m^3, deformed
-    double centre_of_mass; ///< axial position, m
-    double momentum;       ///< axial, kg m/s
-    double elastic_energy; ///< J
-    double kinetic_energy; ///< J
-    double smallest_J;     ///< over the Gauss points
-    double largest_J;
-  };
-
-  /// What is known at one parametric point, for output.
-  struct PointFields
-  {
-    splines::Point     displacement; ///< m
-    double             pattern;      ///< f_a
-    double             activation;   ///< gamma, between the Gauss lines linear
-    double             J;
-    AxisymmetricTensor cauchy; ///< Pa: rr, ry, yr, yy, hoop
-  };
 
   /// Internal and external forces of an axisymmetric body, eqs. (56)-(58) of
   /// Nitti et al. 2023 (10.1016/j.apm.2023.08.003) with the hoop terms and
@@ -61,24 +37,7 @@ namespace ephyra::elasticity
   class ElasticityOperator
   {
   public:
-    struct Parameters
-    {
-      Material                     material;
-      double                       density = 1000.; ///< kg/m^3, reference
-      ActiveStrain::Parameters     active_strain;
-      std::array<SideCondition, 4> sides;
-      Tie                          tie = Tie::none;
-      /// N per m^3 of the reference shape: formulas in r, y, t.
-      std::array<Expression, 2> body_force{
-        {Expression("0", {"r", "y", "t"}), Expression("0", {"r", "y", "t"})}};
-      /// Gauss points per direction: degree + 1 + this.
-      int extra_points = 0;
-
-      static void
-      declare(ParameterHandler &prm);
-      void
-      parse(ParameterHandler &prm);
-    };
+    using Parameters = ElasticityParameters;
 
     /// Throws InputError for an inverted patch, a degree above 6, a shortening
     /// of 0.95 or more at gamma = 1, sides that contradict each other.
