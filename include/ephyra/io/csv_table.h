@@ -1,18 +1,20 @@
 #pragma once
 
+#include "ephyra/base/table.h"
+
 #include <mpi.h>
 
-#include <fstream>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace ephyra::io
 {
-  /// A CSV file that grows row by row: statistics, probes, profiles. The first
-  /// line names the columns, with units; the first column (time or step)
-  /// increases. Numbers are written so that they read back to the last bit.
-  /// The first rank writes; all functions are collective and throw InputError.
+  /// A TableWriter for all ranks: the first one writes, errors reach all of
+  /// them, and the folder is created where needed. Used for statistics, probes
+  /// and profiles; the first column (time or step) increases. All functions
+  /// are collective and throw InputError.
   class CsvTable
   {
   public:
@@ -36,11 +38,10 @@ namespace ephyra::io
     add_row(const std::vector<double> &values);
 
   private:
-    const std::string file_name;
-    const std::string header;
-    const std::size_t n_columns;
-    const MPI_Comm    comm;
-    std::ofstream     out;
+    const std::string              file_name;
+    const std::vector<std::string> columns;
+    const MPI_Comm                 comm;
+    std::unique_ptr<TableWriter>   writer; ///< on the first rank
   };
 
   /// Writes a table of one row, such as result.csv: pairs of a name, with unit,

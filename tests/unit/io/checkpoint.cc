@@ -1,8 +1,9 @@
 #include "ephyra/io/checkpoint.h"
 
+#include "ephyra/base/exceptions.h"
 #include "ephyra/base/mpi.h"
 #include "ephyra/io/hdf5_archive.h"
-#include "files.h"
+#include "temporary_folder.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -100,14 +101,14 @@ BOOST_AUTO_TEST_SUITE(checkpoint)
 
 BOOST_AUTO_TEST_CASE(written_and_read_on_the_same_ranks)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
-  write_checkpoints(folder.name, 1, comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  write_checkpoints(folder.path, 1, comm);
 
   State expected(comm), state(comm);
   expected.fill();
   state.nothing = {1., 2.};
-  io::Checkpoints checkpoints(folder.name, "set A = 1\nset B = 2\n", comm);
+  io::Checkpoints checkpoints(folder.path, "set A = 1\nset B = 2\n", comm);
   const auto      found = checkpoints.read_latest(
     [&](Archive &archive) { state.serialize(archive); });
   BOOST_TEST((state == expected));
@@ -117,39 +118,39 @@ BOOST_AUTO_TEST_CASE(written_and_read_on_the_same_ranks)
 
 BOOST_AUTO_TEST_CASE(written_on_all_ranks_and_read_on_one)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
-  write_checkpoints(folder.name, 1, comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  write_checkpoints(folder.path, 1, comm);
 
   State expected(MPI_COMM_SELF), state(MPI_COMM_SELF);
   expected.fill();
   io::Checkpoints checkpoints(
-    folder.name, "set A = 1\nset B = 2\n", MPI_COMM_SELF);
+    folder.path, "set A = 1\nset B = 2\n", MPI_COMM_SELF);
   checkpoints.read_latest([&](Archive &archive) { state.serialize(archive); });
   BOOST_TEST((state == expected));
 }
 
 BOOST_AUTO_TEST_CASE(written_on_one_rank_and_read_on_all)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
   if (mpi::rank(comm) == 0)
-    write_checkpoints(folder.name, 1, MPI_COMM_SELF);
+    write_checkpoints(folder.path, 1, MPI_COMM_SELF);
   MPI_Barrier(comm);
 
   State expected(comm), state(comm);
   expected.fill();
-  io::Checkpoints checkpoints(folder.name, "set A = 1\nset B = 2\n", comm);
+  io::Checkpoints checkpoints(folder.path, "set A = 1\nset B = 2\n", comm);
   checkpoints.read_latest([&](Archive &archive) { state.serialize(archive); });
   BOOST_TEST((state == expected));
 }
 
 BOOST_AUTO_TEST_CASE(two_newest_are_kept)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
-  write_checkpoints(folder.name, 4, comm);
-  const std::string base = folder.name + "/checkpoints/checkpoint_00000000";
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  write_checkpoints(folder.path, 4, comm);
+  const std::string base = folder.path + "/checkpoints/checkpoint_00000000";
   BOOST_TEST(!std::filesystem::exists(base + "2.h5"));
   BOOST_TEST(std::filesystem::exists(base + "3.h5"));
   BOOST_TEST(std::filesystem::exists(base + "4.h5"));
@@ -158,16 +159,16 @@ BOOST_AUTO_TEST_CASE(two_newest_are_kept)
 
 BOOST_AUTO_TEST_CASE(damaged_newest_is_passed_over)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
-  write_checkpoints(folder.name, 2, comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  write_checkpoints(folder.path, 2, comm);
   const std::string newest =
-    folder.name + "/checkpoints/checkpoint_000000002.h5";
-  const std::string bytes = test::read_file(newest);
+    folder.path + "/checkpoints/checkpoint_000000002.h5";
+  const std::string bytes = testing::read_whole_file(newest);
   MPI_Barrier(comm);
   overwrite(newest, bytes.substr(0, bytes.size() / 2));
   State           state(comm);
-  io::Checkpoints checkpoints(folder.name, "set A = 1\nset B = 2\n", comm);
+  io::Checkpoints checkpoints(folder.path, "set A = 1\nset B = 2\n", comm);
   const auto      found = checkpoints.read_latest(
     [&](Archive &archive) { state.serialize(archive); });
   BOOST_TEST(found.step == 1);
@@ -177,20 +178,20 @@ BOOST_AUTO_TEST_CASE(damaged_newest_is_passed_over)
 
 BOOST_AUTO_TEST_CASE(errors_are_one_sentence_on_all_ranks)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
-  write_checkpoints(folder.name, 1, comm);
-  const std::string file = folder.name + "/checkpoints/checkpoint_000000001.h5";
-  const std::string bytes = test::read_file(file);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  write_checkpoints(folder.path, 1, comm);
+  const std::string file = folder.path + "/checkpoints/checkpoint_000000001.h5";
+  const std::string bytes = testing::read_whole_file(file);
   MPI_Barrier(comm);
 
-  io::Checkpoints same(folder.name, "set A = 1\nset B = 2\n", comm);
-  io::Checkpoints other(folder.name, "set A = 1\nset B = 3\n", comm);
+  io::Checkpoints same(folder.path, "set A = 1\nset B = 2\n", comm);
+  io::Checkpoints other(folder.path, "set A = 1\nset B = 3\n", comm);
   expect_error(other,
                file,
                "another scene, it has 'set B = 2' where the scene has "
                "'set B = 3'; resume with the scene that wrote it.");
-  expect_error(same, folder.name + "/missing.h5", "it does not exist");
+  expect_error(same, folder.path + "/missing.h5", "it does not exist");
 
   overwrite(file, bytes.substr(0, bytes.size() - 100));
   expect_error(same, file, "it is truncated or not an HDF5 file");
@@ -212,18 +213,18 @@ BOOST_AUTO_TEST_CASE(errors_are_one_sentence_on_all_ranks)
 
 BOOST_AUTO_TEST_CASE(incomplete_and_unfit_files_are_refused)
 {
-  const MPI_Comm    comm = MPI_COMM_WORLD;
-  test::Folder      folder(comm);
-  const std::string file    = folder.name + "/a.h5";
-  std::string       scene   = "set A = 1\n";
-  std::int64_t      version = 1;
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  const std::string              file    = folder.path + "/a.h5";
+  std::string                    scene   = "set A = 1\n";
+  std::int64_t                   version = 1;
   {
     io::Hdf5Archive archive(file, io::Hdf5Archive::Mode::write, comm);
     archive.value("format version", version);
     archive.text("scene", scene);
     archive.close();
   }
-  io::Checkpoints checkpoints(folder.name, scene, comm);
+  io::Checkpoints checkpoints(folder.path, scene, comm);
   expect_error(checkpoints, file, "it is incomplete");
   {
     io::Hdf5Archive archive(file, io::Hdf5Archive::Mode::write, comm);
@@ -259,10 +260,10 @@ BOOST_AUTO_TEST_CASE(incomplete_and_unfit_files_are_refused)
 
 BOOST_AUTO_TEST_CASE(missing_and_unwritable_folders)
 {
-  const MPI_Comm  comm = MPI_COMM_WORLD;
-  test::Folder    folder(comm);
-  const auto      nothing = [](Archive &) {};
-  io::Checkpoints empty(folder.name, "", comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  const auto                     nothing = [](Archive &) {};
+  io::Checkpoints                empty(folder.path, "", comm);
   BOOST_CHECK_EXCEPTION(
     empty.read_latest(nothing), InputError, [](const InputError &error) {
       return std::string(error.what()).find("There is no checkpoint in") == 0;

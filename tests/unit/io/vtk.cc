@@ -1,6 +1,7 @@
 // VTK output is decoded again by an independent reader and compared.
-#include "files.h"
+#include "vtk_reader.h"
 
+#include "ephyra/base/exceptions.h"
 #include "ephyra/base/mpi.h"
 #include "ephyra/io/pvd_collection.h"
 #include "ephyra/io/vtk_writer.h"
@@ -56,16 +57,16 @@ BOOST_AUTO_TEST_SUITE(vtk)
 
 BOOST_AUTO_TEST_CASE(flow_pieces_hold_the_cells_of_their_rank)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
-  io::write_flow(folder.name + "/flow", example_grid(comm), comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  io::write_flow(folder.path + "/flow", example_grid(comm), comm);
 
-  const mpi::Share      share = mpi::share(5, mpi::rank(comm), mpi::size(comm));
-  const test::VtkReader piece(folder.name + "/flow_" +
-                              std::to_string(mpi::rank(comm)) + ".vtr");
-  const auto            pressure = piece.array<float>("pressure [Pa]");
-  const auto            velocity = piece.array<float>("velocity &lt;[m/s]&gt;");
-  const auto            r        = piece.array<double>("r [m]");
+  const mpi::Share share = mpi::share(5, mpi::rank(comm), mpi::size(comm));
+  const testing::VtkReader piece(folder.path + "/flow_" +
+                                 std::to_string(mpi::rank(comm)) + ".vtr");
+  const auto               pressure = piece.array<float>("pressure [Pa]");
+  const auto velocity = piece.array<float>("velocity &lt;[m/s]&gt;");
+  const auto r        = piece.array<double>("r [m]");
   BOOST_REQUIRE_EQUAL(pressure.size(), 3 * share.count);
   BOOST_REQUIRE_EQUAL(velocity.size(), 9 * share.count);
   BOOST_REQUIRE_EQUAL(r.size(), share.count + 1);
@@ -87,8 +88,8 @@ BOOST_AUTO_TEST_CASE(flow_pieces_hold_the_cells_of_their_rank)
 
 BOOST_AUTO_TEST_CASE(list_of_pieces_covers_the_grid)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
   // The last rank holds nothing where there is more than one.
   GridOutput grid = example_grid(comm);
   if (mpi::size(comm) == 2)
@@ -100,9 +101,9 @@ BOOST_AUTO_TEST_CASE(list_of_pieces_covers_the_grid)
           grid.n_rows    = 0;
         }
     }
-  io::write_flow(folder.name + "/flow", grid, comm);
+  io::write_flow(folder.path + "/flow", grid, comm);
   MPI_Barrier(comm);
-  const std::string list = test::read_file(folder.name + "/flow.pvtr");
+  const std::string list = testing::read_whole_file(folder.path + "/flow.pvtr");
   BOOST_TEST(list.find("WholeExtent=\"0 5 0 3 0 0\"") != std::string::npos);
   BOOST_TEST(list.find("Source=\"flow_0.vtr\"") != std::string::npos);
   if (mpi::size(comm) == 2)
@@ -122,13 +123,13 @@ BOOST_AUTO_TEST_CASE(bezier_order_is_that_of_vtk)
 
 BOOST_AUTO_TEST_CASE(body_is_decoded_to_the_same_cell)
 {
-  const MPI_Comm     comm = MPI_COMM_WORLD;
-  test::Folder       folder(comm);
-  const BezierOutput body = quarter_annulus();
-  io::write_body(folder.name + "/ring", body, comm);
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  const BezierOutput             body = quarter_annulus();
+  io::write_body(folder.path + "/ring", body, comm);
   MPI_Barrier(comm);
 
-  const test::VtkReader file(folder.name + "/ring.vtu");
+  const testing::VtkReader file(folder.path + "/ring.vtu");
   BOOST_TEST(file.array<std::uint8_t>("types").at(0) == 77);
   BOOST_TEST(file.array<std::int64_t>("offsets").at(0) == 6);
   const std::vector<std::int64_t> order = {0, 2, 5, 3, 1, 4};
@@ -150,10 +151,10 @@ BOOST_AUTO_TEST_CASE(body_is_decoded_to_the_same_cell)
 
 BOOST_AUTO_TEST_CASE(large_arrays_take_several_blocks)
 {
-  const MPI_Comm comm = MPI_COMM_WORLD;
-  test::Folder   folder(comm);
-  GridOutput     grid;
-  const int      n = 400;
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  GridOutput                     grid;
+  const int                      n = 400;
   for (int i = 0; i <= n; ++i)
     grid.r_faces.push_back(i);
   grid.y_faces = grid.r_faces;
@@ -162,10 +163,10 @@ BOOST_AUTO_TEST_CASE(large_arrays_take_several_blocks)
   for (int k = 0; k < grid.n_rows * n; ++k)
     field.components[0].push_back(k % 9973);
   grid.fields = {field};
-  io::write_flow(folder.name + "/flow", grid, comm);
+  io::write_flow(folder.path + "/flow", grid, comm);
   MPI_Barrier(comm);
   const auto values =
-    test::VtkReader(folder.name + "/flow_0.vtr").array<float>("x [1]");
+    testing::VtkReader(folder.path + "/flow_0.vtr").array<float>("x [1]");
   BOOST_REQUIRE_EQUAL(values.size(), n * n);
   for (const int k : {0, 1, 65535, 65536, 159998, 159999})
     BOOST_TEST(values[k] == ((k % n) * n + k / n) % 9973);
@@ -173,13 +174,14 @@ BOOST_AUTO_TEST_CASE(large_arrays_take_several_blocks)
 
 BOOST_AUTO_TEST_CASE(series_grows_and_survives_a_restart)
 {
-  const MPI_Comm     comm = MPI_COMM_WORLD;
-  test::Folder       folder(comm);
-  const BezierOutput body  = quarter_annulus();
-  const auto         times = [&]() {
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  const BezierOutput             body  = quarter_annulus();
+  const auto                     times = [&]() {
     MPI_Barrier(comm);
     std::vector<std::string> found;
-    const std::string        text = test::read_file(folder.name + "/ring.pvd");
+    const std::string        text =
+      testing::read_whole_file(folder.path + "/ring.pvd");
     for (std::size_t at = 0;
          (at = text.find("timestep=\"", at)) != std::string::npos;)
       {
@@ -194,7 +196,7 @@ BOOST_AUTO_TEST_CASE(series_grows_and_survives_a_restart)
   };
 
   {
-    io::PvdCollection series(folder.name, "ring", comm);
+    io::PvdCollection series(folder.path, "ring", comm);
     series.write(0., body);
     series.write(0.25, body);
     series.write(0.5, body);
@@ -205,14 +207,14 @@ BOOST_AUTO_TEST_CASE(series_grows_and_survives_a_restart)
   }
   {
     // Resumed between two outputs: later ones go, none is doubled.
-    io::PvdCollection series(folder.name, "ring", comm);
+    io::PvdCollection series(folder.path, "ring", comm);
     series.resume(0.3);
     series.write(0.5, body);
     expect({"0", "0.25", "0.5"});
   }
   {
     // Resumed at an output that the run writes again.
-    io::PvdCollection series(folder.name, "ring", comm);
+    io::PvdCollection series(folder.path, "ring", comm);
     series.resume(0.5);
     series.write(0.5, body);
     series.write(0.75, body);
@@ -220,11 +222,12 @@ BOOST_AUTO_TEST_CASE(series_grows_and_survives_a_restart)
   }
   {
     // A new run starts a new list.
-    io::PvdCollection series(folder.name, "ring", comm);
+    io::PvdCollection series(folder.path, "ring", comm);
     series.write(0., body);
     expect({"0"});
-    BOOST_TEST(test::read_file(folder.name + "/ring/ring_000000.vtu").size() >
-               0u);
+    BOOST_TEST(
+      testing::read_whole_file(folder.path + "/ring/ring_000000.vtu").size() >
+      0u);
   }
 }
 

@@ -1,62 +1,22 @@
 #pragma once
 
 #include "ephyra/base/exceptions.h"
-#include "ephyra/base/mpi.h"
+#include "temporary_folder.h"
 
 #include <zlib.h>
 
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
-namespace ephyra::test
+namespace ephyra::testing
 {
-  /// An empty folder, the same on all ranks, removed at the end.
-  class Folder
-  {
-  public:
-    explicit Folder(const MPI_Comm comm)
-      : comm(comm)
-    {
-      if (mpi::rank(comm) == 0)
-        {
-          std::string pattern =
-            (std::filesystem::temp_directory_path() / "ephyra-XXXXXX").string();
-          name = mkdtemp(pattern.data());
-        }
-      mpi::broadcast(name, comm);
-    }
-    ~Folder()
-    {
-      MPI_Barrier(comm);
-      if (mpi::rank(comm) == 0)
-        std::filesystem::remove_all(name);
-    }
-
-    std::string name;
-
-  private:
-    MPI_Comm comm;
-  };
-
-  inline std::string
-  read_file(const std::string &file_name)
-  {
-    std::ifstream      in(file_name, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-  }
-
   /// Decodes the appended arrays of a VTK XML file.
   struct VtkReader
   {
     explicit VtkReader(const std::string &file_name)
-      : text(read_file(file_name))
+      : text(read_whole_file(file_name))
     {
     }
 
@@ -99,4 +59,4 @@ namespace ephyra::test
 
     const std::string text;
   };
-} // namespace ephyra::test
+} // namespace ephyra::testing
