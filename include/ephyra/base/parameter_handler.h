@@ -111,7 +111,7 @@ namespace ephyra
     /// "file:line" of where the entry was set, or "default".
     std::string
     origin(const std::string &name) const;
-    /// Instance names of a repeated subsection, in the order of the file;
+    /// Instance names ("left") of a repeated subsection, in the order of the file;
     /// enter one by enter_subsection("Body left").
     std::vector<std::string>
     instances(const std::string &name) const;

@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <random>
 #include <utility>
 
 using namespace ephyra;
@@ -94,6 +95,24 @@ BOOST_AUTO_TEST_CASE(results_that_are_not_finite_are_refused)
            "finite there.";
   });
   BOOST_CHECK_THROW(Expression("sqrt(t)", {"t"})(-1.), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(random_texts_never_crash)
+{
+  const std::vector<std::string> pieces{
+    "1",  ".5", "e3",  "-",    "+", " ",  "t", "pi", "sin",
+    "/",  "*",  "^",   "(",    ")", "?",  ":", ",",  "<",
+    "==", "=",  "min", "step", "x", "&&", "!", "\"", "_"};
+  std::mt19937 random(4);
+  int          n_read = 0;
+  for (int i = 0; i < 3000; ++i)
+    {
+      std::string text;
+      for (unsigned int j = random() % 9; j > 0; --j)
+        text += pieces[random() % pieces.size()];
+      n_read += error(text, {"t"}).empty() ? 1 : 0;
+    }
+  BOOST_TEST(n_read > 20);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

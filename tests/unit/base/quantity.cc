@@ -5,6 +5,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <random>
 
 using namespace ephyra;
 
@@ -126,6 +127,27 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_said)
   BOOST_TEST(error("1 ((((((m))))))") ==
              "the unit \"((((((m))))))\" is not understood: it has too many "
              "parentheses");
+}
+
+BOOST_AUTO_TEST_CASE(random_texts_never_crash)
+{
+  const std::vector<std::string> pieces{
+    "1", ".5", "e3", "-", "+", " ", "m",        "kg",  "s", "/",
+    "*", "^",  "(",  ")", "2", "%", "\xC2\xB5", "deg", "x", ","};
+  std::mt19937 random(3);
+  int          n_read = 0;
+  for (int i = 0; i < 20000; ++i)
+    {
+      std::string text = "1 ";
+      for (unsigned int j = random() % 10; j > 0; --j)
+        text += pieces[random() % pieces.size()];
+      if (error(text).empty())
+        {
+          ++n_read;
+          BOOST_REQUIRE(std::isfinite(si(text)));
+        }
+    }
+  BOOST_TEST(n_read > 1000);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
