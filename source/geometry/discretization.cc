@@ -29,6 +29,15 @@ namespace ephyra::geometry
   } // namespace
 
   void
+  check_length(const std::string &what, const double value)
+  {
+    EphyraThrowIf(!(value > 0.) || !std::isfinite(value),
+                  InputError,
+                  "The " << what << " is " << value
+                         << " m; it must be positive.");
+  }
+
+  void
   Discretization::declare(ParameterHandler &prm, const int dim)
   {
     const unsigned int n = dim;

@@ -32,4 +32,8 @@ namespace ephyra::geometry
   refined(splines::NurbsPatch<dim> patch,
           const Discretization    &discretization,
           const std::string       &what);
+
+  /// Throws InputError unless a length is positive and finite; @p what it is.
+  void
+  check_length(const std::string &what, double value);
 } // namespace ephyra::geometry
