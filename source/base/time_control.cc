@@ -181,6 +181,8 @@ namespace ephyra
     archive.value("steps", steps);
     archive.value("cuts", cuts);
     archive.value("n_until_growth", n_until_growth);
+    // A resumed run may have a shorter time step.
+    length = std::min(length, parameters.time_step);
   }
 
   double

@@ -183,6 +183,10 @@ BOOST_AUTO_TEST_CASE(state_is_restored)
       resumed.accept_step();
     }
   BOOST_TEST(resumed.n_cuts() == 1);
+  TimeControl finer(parameters(10., 0.01));
+  memory.begin_reading();
+  finer.serialize(memory);
+  BOOST_TEST(finer.step_size() == 0.01);
   BOOST_TEST(resumed.n_steps() == control.n_steps());
 }
 
