@@ -198,7 +198,7 @@ class Sweep:
         results = self.results()
         entries = list(dict.fromkeys(e for values in self.cases.values() for e in values))
         columns = list(dict.fromkeys(c for row in results.values() for c in row))
-        state = ["exit code", "wall time [s]"]
+        state = ["exit code"] + [c for c in ("wall time [s]",) if c not in columns]
         with open(self.folder / "table.csv", "w", newline="") as file:
             writer = csv.writer(file)
             writer.writerow(entries + columns + state)
@@ -223,8 +223,16 @@ def observed_orders(h, x, column, references):
     return "three grids", [p for p, _ in triples], triples[-1][1] if triples else None
 
 
+def is_reported(column, wanted):
+    """Whether the orders of a column are of interest: one of those that the
+    user named in full or in part, or any that the run does not say of itself."""
+    if wanted:
+        return any(word in column for word in wanted)
+    return not column.startswith(("exit code", "wall time", "steps", "repeated steps"))
+
+
 def report_orders(sweep, refined, references):
-    """Prints the orders of every numeric column and writes orders.csv."""
+    """Prints the orders of the numeric columns and writes orders.csv."""
     h = convergence.mesh_sizes([next(iter(step.values())) for step in refined])
     results = sweep.results()
     groups = {}
@@ -239,6 +247,8 @@ def report_orders(sweep, refined, references):
             continue
         print("orders: " + (label or "over the refinement"))
         for column in results[names[0]]:
+            if not is_reported(column, sweep.options.column):
+                continue
             try:
                 x = [float(results[name][column]) for name in names]
             except (KeyError, ValueError):
@@ -287,6 +297,8 @@ def parse_arguments(arguments):
                         "increasing values count cells, decreasing ones are steps")
     parser.add_argument("--reference", action="append", default=[], metavar='"COLUMN = X"',
                         help="value that a column of result.csv should tend to")
+    parser.add_argument("--column", action="append", default=[], metavar="TEXT",
+                        help="report the orders of columns whose name holds this text")
     parser.add_argument("--set", action="append", default=[], metavar='"S/E = v"',
                         help="the same for all cases")
     parser.add_argument("--output", required=True, metavar="FOLDER", help="where the cases go")

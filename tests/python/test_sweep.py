@@ -111,6 +111,10 @@ class Runs(unittest.TestCase):
         # Errors against 2 are 6 and 2.25.
         self.assertIn(f"order (reference) {math.log(6 / 2.25) / math.log(2):.2f}", screen)
 
+    def test_report_of_some_columns(self):
+        self.run_sweep("--refine", "Model/Cells = 1, 2, 4", "--column", "drag")
+        self.assertEqual([row["column"] for row in self.table("orders.csv")], ["drag [N]"])
+
     def test_finished_cases_are_not_run_again(self):
         self.run_sweep("--vary", "Model/Cells = 1, 2")
         code, screen = self.run_sweep("--vary", "Model/Cells = 1, 2, 4")
