@@ -112,6 +112,60 @@ namespace ephyra::fluid
     return GridLine(std::move(faces));
   }
 
+  void
+  GridParameters::declare(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Grid");
+    const patterns::List            lengths(patterns::Double("m"), 2);
+    const patterns::List            widths(patterns::Positive("m"), 1);
+    prm.declare_entry(
+      "Radial breakpoints",
+      "0, 1",
+      lengths,
+      "Radii at which a spacing is given, from the axis 0 to the "
+      "outer boundary; each becomes a face of the grid.");
+    prm.declare_entry("Radial spacings",
+                      "0.03125",
+                      widths,
+                      "Width of the cells at the breakpoints (or one value for "
+                      "all); in between it changes as the stretching says.");
+    prm.declare_entry("Axial breakpoints",
+                      "0, 1",
+                      lengths,
+                      "Heights at which a spacing is given, from the lower to "
+                      "the upper boundary.");
+    prm.declare_entry("Axial spacings",
+                      "0.03125",
+                      widths,
+                      "Width of the cells at the axial breakpoints. A uniform "
+                      "axial spacing makes the flow about three times faster.");
+    prm.declare_entry("Stretching",
+                      "geometric",
+                      patterns::Selection("geometric|smooth"),
+                      "How the spacing h changes between breakpoints: linearly "
+                      "(every cell wider by one factor), or by a cubic step "
+                      "with no kink of h at the breakpoints.");
+    prm.declare_entry("Largest stretching ratio",
+                      "1.2",
+                      patterns::Double("", 1.),
+                      "Grids with a larger ratio of neighbouring cells are "
+                      "refused.");
+  }
+
+  void
+  GridParameters::parse(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Grid");
+    r.breakpoints = prm.get_double_list("Radial breakpoints");
+    r.spacings    = prm.get_double_list("Radial spacings");
+    y.breakpoints = prm.get_double_list("Axial breakpoints");
+    y.spacings    = prm.get_double_list("Axial spacings");
+    r.stretching = y.stretching = prm.get("Stretching") == "smooth"
+                                    ? Stretching::smooth
+                                    : Stretching::geometric;
+    largest_ratio               = prm.get_double("Largest stretching ratio");
+  }
+
   StaggeredGrid
   GridParameters::make_grid(const bool periodic_y, const MPI_Comm comm) const
   {

@@ -1,0 +1,171 @@
+#pragma once
+
+#include "ephyra/base/archive.h"
+#include "ephyra/base/expression.h"
+#include "ephyra/base/output.h"
+#include "ephyra/fluid/boundary.h"
+#include "ephyra/fluid/flow_parameters.h"
+#include "ephyra/fluid/implicit_viscosity.h"
+#include "ephyra/fluid/momentum.h"
+#include "ephyra/fluid/poisson_solver.h"
+#include "ephyra/fluid/velocity_field.h"
+
+#include <memory>
+
+namespace ephyra::fluid
+{
+  /// Incompressible axisymmetric flow, eq. (47), by a fractional-step method:
+  ///   u* = u^k + dt [-alpha grad p^k / rho + beta H^k + gamma H^(k-1)
+  ///                  + alpha nu L_i (u* + u^k) / 2]                     (77)
+  ///   div grad phi = rho div u* / (alpha dt)                            (81)
+  ///   u^(k+1) = u* - alpha dt grad phi / rho                            (79)
+  ///   p^(k+1) = p^k + phi - alpha dt nu L_i phi / 2                     (80)
+  /// H: convection, body force and those viscous terms that are explicit; L_i:
+  /// the implicit ones. A step consists of stages, each of them
+  ///   predict(k); [forces added to velocity();] project(k);
+  /// and reset_to_predicted(k) repeats the part after predict() from the same
+  /// u* and p^k as often as needed.
+  class FlowSolver
+  {
+  public:
+    using Parameters = FlowParameters;
+
+    FlowSolver(const Parameters &parameters, MPI_Comm comm);
+
+    const StaggeredGrid &
+    grid() const
+    {
+      return the_grid;
+    }
+    double
+    density() const
+    {
+      return parameters.density;
+    }
+    double
+    viscosity() const
+    {
+      return parameters.viscosity;
+    }
+
+    // --- one step ---------------------------------------------------------
+    /// From t to t + dt, s.
+    void
+    begin_step(double t, double dt);
+    unsigned int
+    n_stages() const;
+    /// alpha_k dt, s.
+    double
+    stage_dt(unsigned int k) const;
+    /// Time at the end of stage k, s.
+    double
+    stage_time(unsigned int k) const;
+    /// velocity() = u* of stage k, halo and ghosts valid. Collective.
+    void
+    predict(unsigned int k);
+    /// velocity() = the u* that predict(k) left. Needs keep_predicted(true).
+    void
+    reset_to_predicted(unsigned int k);
+    /// Makes velocity() free of divergence and updates pressure() from the
+    /// pressure at the start of the stage; halo and ghosts valid. Collective.
+    void
+    project(unsigned int k);
+    void
+    end_step();
+    /// Without kept predictions (no coupling iterations) a copy is saved.
+    void
+    keep_predicted(bool keep);
+
+    /// Begin, all stages without forcing, end.
+    void
+    advance(double t, double dt);
+
+    // --- fields -----------------------------------------------------------
+    VelocityField &
+    velocity()
+    {
+      return current;
+    }
+    const VelocityField &
+    velocity() const
+    {
+      return current;
+    }
+    /// Pa. Between predict() and project() that of the start of the stage.
+    const DistributedArray &
+    pressure() const
+    {
+      return projected ? new_pressure : old_pressure;
+    }
+    /// Recomputes ghosts after velocity() was set from outside; collective.
+    void
+    update_ghosts();
+    /// Sets the velocity from formulas in (r, y) and makes it divergence-free.
+    void
+    set_initial_velocity(const Expression &radial, const Expression &axial);
+
+    // --- status -----------------------------------------------------------
+    /// max(|v_r|/dr + |v_y|/dy) dt; not finite where the fields are not.
+    /// Collective.
+    double
+    max_cfl(double dt) const;
+    /// Whether all velocities are finite; collective.
+    bool
+    finite() const;
+    /// Largest step for which explicit viscosity is stable, s; infinite where
+    /// viscosity is zero.
+    double
+    viscous_time_step_limit() const;
+    const PoissonSolver &
+    poisson() const
+    {
+      return *poisson_solver;
+    }
+
+    /// Named "flow" state: velocity, pressure, history; for restarts.
+    void
+    serialize(Archive &archive);
+    /// Adds velocity, pressure and vorticity in cell centres. The pieces of
+    /// the ranks do not overlap.
+    void
+    write(GridOutput &output) const;
+
+  private:
+    struct StageCoefficients
+    {
+      double alpha, beta, gamma, end; ///< end: time of the end over dt
+    };
+    StageCoefficients
+    stage(unsigned int k) const;
+    void
+    choose_viscous_treatment();
+    void
+    initialize_pressure();
+    /// Poisson solve and correction of the owned faces of @p field with the
+    /// time step @p step; *pressure = old_pressure + phi unless null. The row
+    /// of v_r above the owned ones must be up to date.
+    void
+    make_divergence_free(VelocityField    &field,
+                         double            step,
+                         DistributedArray *pressure);
+    void
+    correct_pressure_for_implicit_viscosity(double step);
+
+    const Parameters                 parameters;
+    const StaggeredGrid              the_grid;
+    Boundary                         boundary;
+    Momentum                         momentum;
+    ImplicitViscosity                implicit_viscosity;
+    std::unique_ptr<PoissonSolver>   poisson_solver;
+    Expression                       body_force;
+
+    VelocityField    current, predicted, history;
+    DistributedArray old_pressure, new_pressure, phi;
+
+    double time = 0, time_step = 0, previous_time_step = 0;
+    bool   projected       = true;
+    bool   keeps_predicted = true;
+    bool   started         = false; ///< pressure known, history valid
+    ImplicitDirections implicit;
+  };
+} // namespace ephyra::fluid

@@ -1,0 +1,448 @@
+#include "ephyra/fluid/flow_solver.h"
+
+#include "ephyra/base/exceptions.h"
+#include "ephyra/base/log.h"
+#include "ephyra/fluid/flow_output.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace ephyra::fluid
+{
+  namespace
+  {
+    constexpr unsigned int n_substeps = 3;
+
+    /// Largest nu dt (4/dr^2 + 4/dy^2) with explicit viscosity; the limits of
+    /// the schemes on the negative real axis are 2.51 and 1.
+    double
+    real_axis_limit(const TimeScheme scheme)
+    {
+      return scheme == TimeScheme::rk3 ? 2.4 : 0.95;
+    }
+
+    const FlowParameters &
+    checked(const FlowParameters &parameters)
+    {
+      parameters.check();
+      return parameters;
+    }
+  } // namespace
+
+  FlowSolver::FlowSolver(const Parameters &p, const MPI_Comm comm)
+    : parameters(checked(p))
+    , the_grid(parameters.grid.make_grid(parameters.periodic_y(), comm))
+    , boundary(parameters, the_grid)
+    , momentum(parameters, the_grid, boundary)
+    , implicit_viscosity(parameters, the_grid, boundary, momentum)
+    , poisson_solver(make_poisson_solver(parameters.poisson,
+                                         the_grid,
+                                         boundary.poisson_sides()))
+    , body_force(parameters.body_force, {"t"})
+    , current(the_grid)
+    , predicted(the_grid)
+    , history(the_grid)
+    , old_pressure(the_grid)
+    , new_pressure(the_grid)
+    , phi(the_grid)
+  {
+    set_initial_velocity(Expression(parameters.initial_radial_velocity,
+                                    {"r", "y"}),
+                         Expression(parameters.initial_axial_velocity,
+                                    {"r", "y"}));
+  }
+
+  void
+  FlowSolver::set_initial_velocity(const Expression &radial,
+                                   const Expression &axial)
+  {
+    std::vector<double> point(2);
+    const auto evaluate = [&](const Expression &formula, double r, double y) {
+      point[0] = r;
+      point[1] = y;
+      return formula.is_zero() ? 0. : formula(point);
+    };
+    const int n_r = the_grid.r.n_cells, n_y = the_grid.y.n_cells;
+    const int last = the_grid.is_last_rank() ? n_r : the_grid.end_row() - 1;
+    for (int i = the_grid.first_row; i <= last; ++i)
+      for (int j = 0; j < n_y; ++j)
+        current.r(i, j) =
+          i == 0 ? 0. : evaluate(radial, the_grid.r.face[i], the_grid.y.centre[j]);
+    for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
+      for (int j = 0; j <= n_y; ++j)
+        current.y(i, j) =
+          evaluate(axial, the_grid.r.centre[i], the_grid.y.face[j]);
+
+    boundary.set_time(time);
+    boundary.set_normal_velocities(current, 0., current);
+    update_ghosts();
+    make_divergence_free(current, 1., nullptr);
+    started = false;
+  }
+
+  void
+  FlowSolver::update_ghosts()
+  {
+    DistributedArray::exchange_halos({&current.r, &current.y});
+    boundary.fill_ghosts(current);
+  }
+
+  // --- one step -----------------------------------------------------------
+
+  unsigned int
+  FlowSolver::n_stages() const
+  {
+    return parameters.scheme == TimeScheme::rk3 ? n_substeps : 1;
+  }
+
+  FlowSolver::StageCoefficients
+  FlowSolver::stage(const unsigned int k) const
+  {
+    if (parameters.scheme == TimeScheme::rk3)
+      {
+        static constexpr StageCoefficients table[n_substeps] = {
+          {8. / 15., 8. / 15., 0., 8. / 15.},
+          {2. / 15., 5. / 12., -17. / 60., 2. / 3.},
+          {1. / 3., 3. / 4., -5. / 12., 1.}};
+        return table[k];
+      }
+    if (previous_time_step == 0)
+      return {1., 1., 0., 1.};
+    const double ratio = time_step / previous_time_step;
+    return {1., 1. + 0.5 * ratio, -0.5 * ratio, 1.};
+  }
+
+  double
+  FlowSolver::stage_dt(const unsigned int k) const
+  {
+    return stage(k).alpha * time_step;
+  }
+
+  double
+  FlowSolver::stage_time(const unsigned int k) const
+  {
+    return time + stage(k).end * time_step;
+  }
+
+  double
+  FlowSolver::viscous_time_step_limit() const
+  {
+    const double dr = the_grid.r.smallest_width(), dy = the_grid.y.smallest_width();
+    return real_axis_limit(parameters.scheme) /
+           (4 * parameters.kinematic_viscosity() * (1 / (dr * dr) + 1 / (dy * dy)));
+  }
+
+  void
+  FlowSolver::choose_viscous_treatment()
+  {
+    ImplicitDirections chosen;
+    const double       nu    = parameters.kinematic_viscosity();
+    const double       limit = real_axis_limit(parameters.scheme);
+    const double number_r = 4 * nu * time_step / std::pow(the_grid.r.smallest_width(), 2);
+    const double number_y = 4 * nu * time_step / std::pow(the_grid.y.smallest_width(), 2);
+    switch (parameters.viscous)
+      {
+        case ViscousTreatment::explicit_:
+          EphyraThrowIf(number_r + number_y > limit,
+                        InputError,
+                        "The time step "
+                          << time_step
+                          << " s of the flow exceeds the limit of explicit "
+                             "viscosity, "
+                          << viscous_time_step_limit()
+                          << " s: choose a smaller step or set \"Viscous "
+                             "terms\" to automatic.");
+          break;
+        case ViscousTreatment::implicit:
+          chosen.r = chosen.y = nu > 0;
+          break;
+        case ViscousTreatment::automatic:
+          if (number_r + number_y <= limit)
+            break;
+          // One direction where that is enough, else both.
+          chosen.r = number_r > number_y || number_y > limit;
+          chosen.y = number_y >= number_r || number_r > limit;
+          break;
+      }
+    if (started && chosen.r == implicit.r && chosen.y == implicit.y)
+      return;
+    implicit = chosen;
+    if (nu == 0)
+      return;
+    std::ostringstream text;
+    text << "Flow: viscous terms "
+         << (!implicit.any()         ? "explicit" :
+             implicit.r && implicit.y ? "implicit" :
+             implicit.r               ? "implicit in r, explicit in y" :
+                                        "implicit in y, explicit in r")
+         << " (time step " << time_step << " s, explicit limit "
+         << viscous_time_step_limit() << " s).";
+    log().line(text.str());
+    previous_time_step = 0; // the history holds other terms
+  }
+
+  void
+  FlowSolver::begin_step(const double t, const double dt)
+  {
+    time              = t;
+    const bool change = dt != time_step || !started;
+    time_step         = dt;
+    if (change)
+      choose_viscous_treatment();
+    if (!started)
+      initialize_pressure();
+    started = true;
+  }
+
+  void
+  FlowSolver::initialize_pressure()
+  {
+    // The pressure that keeps the initial acceleration free of divergence, from
+    // one explicit Euler step that is then forgotten.
+    boundary.set_time(time + 0.5 * time_step);
+    new_pressure.fill(0.);
+    old_pressure.fill(0.);
+    boundary.fill_pressure_ghosts(old_pressure);
+    Momentum::Factors factors{};
+    factors.pressure   = time_step / parameters.density;
+    factors.beta       = time_step;
+    factors.body_force = body_force(time) / parameters.density;
+    momentum.update(current, old_pressure, history, predicted, factors);
+    boundary.set_time(time + time_step);
+    boundary.set_normal_velocities(current, time_step, predicted);
+    predicted.r.exchange_halo();
+    make_divergence_free(predicted, time_step, &new_pressure);
+    projected = true;
+  }
+
+  void
+  FlowSolver::predict(const unsigned int k)
+  {
+    if (projected)
+      {
+        std::swap(old_pressure, new_pressure);
+        projected = false;
+      }
+    const StageCoefficients c     = stage(k);
+    const double            begin = k == 0 ? time : stage_time(k - 1);
+    const double            step  = c.alpha * time_step;
+    if (!boundary.poisson_sides().singular())
+      {
+        boundary.set_time(begin + 0.5 * step);
+        boundary.fill_pressure_ghosts(old_pressure);
+      }
+
+    Momentum::Factors factors;
+    factors.pressure   = step / parameters.density;
+    factors.beta       = c.beta * time_step;
+    factors.gamma      = c.gamma * time_step;
+    factors.body_force = body_force(begin) / parameters.density;
+    factors.store_history =
+      parameters.scheme == TimeScheme::ab2 || k + 1 < n_substeps;
+    factors.implicit   = step;
+    factors.directions = implicit;
+    momentum.update(current, old_pressure, history, predicted, factors);
+
+    boundary.set_time(stage_time(k));
+    boundary.set_normal_velocities(current, step, predicted);
+    if (implicit.any())
+      implicit_viscosity.solve(step, implicit, current, predicted);
+    DistributedArray::exchange_halos({&predicted.r, &predicted.y});
+    boundary.fill_ghosts(predicted);
+    if (keeps_predicted)
+      current.copy_from(predicted);
+    else
+      std::swap(current, predicted);
+  }
+
+  void
+  FlowSolver::reset_to_predicted(const unsigned int)
+  {
+    EphyraAssert(keeps_predicted, "the prediction was not kept");
+    current.copy_from(predicted);
+    if (projected)
+      projected = false;
+  }
+
+  void
+  FlowSolver::project(const unsigned int k)
+  {
+    if (!parameters.project_every_substep && k + 1 < n_stages())
+      {
+        update_ghosts();
+        return;
+      }
+    const double step =
+      parameters.project_every_substep ? stage_dt(k) : time_step;
+    current.r.exchange_halo();
+    make_divergence_free(current, step, &new_pressure);
+    if (implicit.any())
+      correct_pressure_for_implicit_viscosity(step);
+    DistributedArray::exchange_halos({&current.r, &current.y, &new_pressure});
+    boundary.fill_ghosts(current);
+    boundary.fill_pressure_ghosts(new_pressure);
+    projected = true;
+  }
+
+  void
+  FlowSolver::make_divergence_free(VelocityField          &field,
+                                   const double            step,
+                                   DistributedArray *const pressure)
+  {
+    const int    n_y    = the_grid.y.n_cells;
+    const double factor = step / parameters.density;
+    int          previous = -1;
+    poisson_solver->solve(
+      phi,
+      [&](const int i, double *const row) {
+        momentum.divergence(field, 1. / factor, i, row);
+      },
+      [&](const int i, double *const row) {
+        boundary.fill_correction_ghosts(row);
+        momentum.correct_axial(field, phi, factor, i);
+        if (previous >= 0)
+          momentum.correct_radial(field, phi, factor, std::max(i, previous));
+        previous = i;
+        if (pressure == nullptr)
+          return;
+        const double *const before = old_pressure.row(i);
+        double *const       after  = pressure->row(i);
+        for (int j = 0; j < n_y; ++j)
+          after[j] = before[j] + row[j];
+      });
+    phi.exchange_halo();
+    boundary.fill_correction_ghosts(phi);
+    if (!the_grid.is_first_rank())
+      momentum.correct_radial(field, phi, factor, the_grid.first_row);
+    if (boundary.end_r_face() > the_grid.end_row())
+      momentum.correct_radial(field, phi, factor, the_grid.end_row());
+  }
+
+  void
+  FlowSolver::correct_pressure_for_implicit_viscosity(const double step)
+  {
+    const double a = 0.5 * step * parameters.kinematic_viscosity();
+    const double a_r = implicit.r ? a : 0., a_y = implicit.y ? a : 0.;
+    for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
+      {
+        const ViscousStencil stencil = radial_stencil_of_v_y(the_grid, i);
+        const double *const  below = phi.row(i - 1), *const here = phi.row(i),
+                            *const above = phi.row(i + 1);
+        double *const p = new_pressure.row(i);
+        for (int j = 0; j < the_grid.y.n_cells; ++j)
+          p[j] -= a_r * (stencil.plus * above[j] - stencil.centre * here[j] +
+                         stencil.minus * below[j]) +
+                  a_y * (momentum.cell_up[j] * (here[j + 1] - here[j]) -
+                         momentum.cell_down[j] * (here[j] - here[j - 1]));
+      }
+  }
+
+  void
+  FlowSolver::end_step()
+  {
+    previous_time_step = time_step;
+    time += time_step;
+  }
+
+  void
+  FlowSolver::keep_predicted(const bool keep)
+  {
+    keeps_predicted = keep;
+  }
+
+  void
+  FlowSolver::advance(const double t, const double dt)
+  {
+    begin_step(t, dt);
+    for (unsigned int k = 0; k < n_stages(); ++k)
+      {
+        predict(k);
+        project(k);
+      }
+    end_step();
+  }
+
+  // --- status -------------------------------------------------------------
+
+  double
+  FlowSolver::max_cfl(const double dt) const
+  {
+    double largest = 0, sum = 0;
+    for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
+      {
+        const double        inv_dr = 1. / the_grid.r.width[i];
+        const double *const u = current.r.row(i), *const up = current.r.row(i + 1);
+        const double *const w     = current.y.row(i);
+        const double *const width = the_grid.y.width.data();
+        double              row_max = 0, row_sum = 0;
+        for (int j = 0; j < the_grid.y.n_cells; ++j)
+          {
+            const double speed =
+              0.5 * (std::abs(u[j]) + std::abs(up[j])) * inv_dr +
+              0.5 * (std::abs(w[j]) + std::abs(w[j + 1])) / width[j];
+            row_max = std::max(row_max, speed);
+            row_sum += speed;
+          }
+        largest = std::max(largest, row_max);
+        sum += row_sum;
+      }
+    if (!std::isfinite(sum)) // std::max() drops NaN
+      largest = std::numeric_limits<double>::infinity();
+    return dt * mpi::max(largest, the_grid.communicator());
+  }
+
+  bool
+  FlowSolver::finite() const
+  {
+    return std::isfinite(max_cfl(1.));
+  }
+
+  // --- state and output ---------------------------------------------------
+
+  void
+  FlowSolver::serialize(Archive &archive)
+  {
+    const Archive::Group group(archive, "flow");
+    const int            n_y = the_grid.y.n_cells;
+    const auto save = [&](const std::string &name, VelocityField &field) {
+      archive.rows(name + " r",
+                   field.r.row(the_grid.first_row),
+                   field.r.layout(n_y, true));
+      archive.rows(name + " y",
+                   field.y.row(the_grid.first_row),
+                   field.y.layout(n_y + 1));
+    };
+    if (archive.reading())
+      projected = true;
+    DistributedArray &pressure = projected ? new_pressure : old_pressure;
+    save("velocity", current);
+    archive.rows("pressure",
+                 pressure.row(the_grid.first_row),
+                 pressure.layout(n_y));
+    if (parameters.scheme == TimeScheme::ab2)
+      save("history", history);
+    archive.value("time", time);
+    archive.value("time step", time_step);
+    archive.value("previous time step", previous_time_step);
+    std::int64_t is_started = started ? 1 : 0, directions = implicit.r + 2 * implicit.y;
+    archive.value("started", is_started);
+    archive.value("implicit directions", directions);
+    if (!archive.reading())
+      return;
+    started    = is_started != 0;
+    implicit.r = (directions & 1) != 0;
+    implicit.y = (directions & 2) != 0;
+    boundary.set_time(time);
+    update_ghosts();
+    new_pressure.exchange_halo();
+    boundary.fill_pressure_ghosts(new_pressure);
+  }
+
+  void
+  FlowSolver::write(GridOutput &output) const
+  {
+    write_flow(current, pressure(), output);
+  }
+} // namespace ephyra::fluid
