@@ -17,9 +17,9 @@ namespace ephyra::fluid
     holds_time(const std::string &formula)
     {
       const auto is_name = [&](const std::size_t k) {
-        return k < formula.size() && (std::isalnum(static_cast<unsigned char>(
-                                        formula[k])) != 0 ||
-                                      formula[k] == '_');
+        return k < formula.size() &&
+               (std::isalnum(static_cast<unsigned char>(formula[k])) != 0 ||
+                formula[k] == '_');
       };
       for (std::size_t k = 0; k < formula.size(); ++k)
         if (formula[k] == 't' && !is_name(k + 1) && (k == 0 || !is_name(k - 1)))
@@ -43,9 +43,11 @@ namespace ephyra::fluid
     , steady(!holds_time(parameters.radial_velocity) &&
              !holds_time(parameters.axial_velocity) &&
              !holds_time(parameters.pressure))
-  {}
+  {
+  }
 
-  Boundary::Boundary(const FlowParameters &parameters, const StaggeredGrid &grid)
+  Boundary::Boundary(const FlowParameters &parameters,
+                     const StaggeredGrid  &grid)
     : grid(grid)
     , sides{Formulas(parameters.lower),
             Formulas(parameters.upper),
@@ -80,7 +82,8 @@ namespace ephyra::fluid
   Boundary::end_r_face() const
   {
     return grid.end_row() +
-           (grid.is_last_rank() && sides[outer].kind == SideKind::pressure ? 1 : 0);
+           (grid.is_last_rank() && sides[outer].kind == SideKind::pressure ? 1
+                                                                           : 0);
   }
 
   int
@@ -158,8 +161,8 @@ namespace ephyra::fluid
   double
   Boundary::tangential(const Side side, const int index) const
   {
-    return side == outer ? sides[outer].axial_values[index] :
-                           sides[side].radial_values[slot(index)];
+    return side == outer ? sides[outer].axial_values[index]
+                         : sides[side].radial_values[slot(index)];
   }
 
   void
@@ -219,8 +222,8 @@ namespace ephyra::fluid
           speed = std::max(speed, -previous.y(i, 1));
         speed = mpi::max(speed, grid.communicator());
         for (int i = grid.first_row; i < grid.end_row(); ++i)
-          velocity.y(i, 0) = convect(
-            speed, grid.y.width[0], previous.y(i, 0), previous.y(i, 1));
+          velocity.y(i, 0) =
+            convect(speed, grid.y.width[0], previous.y(i, 0), previous.y(i, 1));
       }
     if (sides[upper].kind == SideKind::outflow)
       {
@@ -254,7 +257,7 @@ namespace ephyra::fluid
     // Net flux out of the domain, its scale, and the area of outflow sides,
     // all over 2 pi.
     std::vector<double> sums(3, 0.);
-    const auto          add = [&](const Side side, const double area, const double v) {
+    const auto add = [&](const Side side, const double area, const double v) {
       sums[0] += area * v;
       sums[1] += area * std::abs(v);
       if (sides[side].kind == SideKind::outflow)
@@ -273,14 +276,15 @@ namespace ephyra::fluid
 
     if (sums[2] == 0)
       {
-        EphyraThrowIf(std::abs(sums[0]) > 1e-8 * sums[1],
-                      InputError,
-                      "The velocities given on the sides of the flow domain let "
-                        << 2 * M_PI * std::abs(sums[0]) << " m^3/s more "
-                        << (sums[0] < 0 ? "in than out" : "out than in")
-                        << ", and an incompressible flow cannot store it: make "
-                           "one side \"outflow\" or \"pressure\", or balance "
-                           "the formulas.");
+        EphyraThrowIf(
+          std::abs(sums[0]) > 1e-8 * sums[1],
+          InputError,
+          "The velocities given on the sides of the flow domain let "
+            << 2 * M_PI * std::abs(sums[0]) << " m^3/s more "
+            << (sums[0] < 0 ? "in than out" : "out than in")
+            << ", and an incompressible flow cannot store it: make "
+               "one side \"outflow\" or \"pressure\", or balance "
+               "the formulas.");
         return;
       }
     const double correction = -sums[0] / sums[2];
@@ -319,9 +323,9 @@ namespace ephyra::fluid
             continue;
           }
         const auto ghost = [&](const Side side, const double inside) {
-          return fixes_tangential(side) ?
-                   2 * sides[side].radial_values[slot(i)] - inside :
-                   inside;
+          return fixes_tangential(side)
+                   ? 2 * sides[side].radial_values[slot(i)] - inside
+                   : inside;
         };
         u[-1]      = ghost(lower, u[0]);
         u[-2]      = ghost(lower, u[1]);
@@ -334,7 +338,8 @@ namespace ephyra::fluid
           }
         else
           w[-1] = w[-2] = w[0];
-        w[n_y + 1] = is_wall(sides[upper].kind) ? 2 * w[n_y] - w[n_y - 1] : w[n_y];
+        w[n_y + 1] =
+          is_wall(sides[upper].kind) ? 2 * w[n_y] - w[n_y - 1] : w[n_y];
       }
 
     if (grid.is_first_rank())
@@ -359,9 +364,9 @@ namespace ephyra::fluid
       grid.r.face[n_r] / (grid.r.face[n_r] + grid.r.width[n_r - 1]);
     for (int j = -halo; j < n_y + halo; ++j)
       {
-        velocity.r(n_r + 1, j) = is_wall(sides[outer].kind) ?
-                                   2 * normal[j] - velocity.r(n_r - 1, j) :
-                                   r_ratio * normal[j];
+        velocity.r(n_r + 1, j) = is_wall(sides[outer].kind)
+                                   ? 2 * normal[j] - velocity.r(n_r - 1, j)
+                                   : r_ratio * normal[j];
         if (fixes_tangential(outer))
           {
             const double given =
@@ -399,8 +404,9 @@ namespace ephyra::fluid
         row[n_y] = row[0];
         return;
       }
-    row[-1]  = sides[lower].kind == SideKind::pressure ? -row[0] : row[0];
-    row[n_y] = sides[upper].kind == SideKind::pressure ? -row[n_y - 1] : row[n_y - 1];
+    row[-1] = sides[lower].kind == SideKind::pressure ? -row[0] : row[0];
+    row[n_y] =
+      sides[upper].kind == SideKind::pressure ? -row[n_y - 1] : row[n_y - 1];
   }
 
   void
@@ -411,11 +417,12 @@ namespace ephyra::fluid
     const int begin = std::max(0, grid.first_row - halo);
     const int end   = std::min(n_r, grid.end_row() + halo);
     // The value on a side where it is given, else the mirrored one.
-    const auto ghost = [&](const Side side, const std::size_t k, const double inside) {
-      if (sides[side].kind != SideKind::pressure)
-        return inside;
-      return (homogeneous ? 0. : 2 * sides[side].pressure_values[k]) - inside;
-    };
+    const auto ghost =
+      [&](const Side side, const std::size_t k, const double inside) {
+        if (sides[side].kind != SideKind::pressure)
+          return inside;
+        return (homogeneous ? 0. : 2 * sides[side].pressure_values[k]) - inside;
+      };
     for (int i = begin; i < end; ++i)
       {
         double *const a = field.row(i);

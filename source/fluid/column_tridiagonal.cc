@@ -29,7 +29,8 @@ namespace ephyra::fluid
       }
     inverse[0] = 1. / diagonal[0];
     for (std::size_t j = 1; j < n; ++j)
-      inverse[j] = 1. / (diagonal[j] - lower[j] * upper[j - 1] * inverse[j - 1]);
+      inverse[j] =
+        1. / (diagonal[j] - lower[j] * upper[j - 1] * inverse[j - 1]);
     if (!cyclic)
       return;
 

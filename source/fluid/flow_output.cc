@@ -22,16 +22,17 @@ namespace ephyra::fluid
     const StaggeredGrid &grid = velocity.grid();
     return (velocity.r(i, j) - velocity.r(i, j - 1)) /
              distance(grid.y, j, grid.periodic_y) -
-           (velocity.y(i, j) - velocity.y(i - 1, j)) / distance(grid.r, i, false);
+           (velocity.y(i, j) - velocity.y(i - 1, j)) /
+             distance(grid.r, i, false);
   }
 
   double
   cell_vorticity(const VelocityField &velocity, const int i, const int j)
   {
-    return 0.25 *
-           (corner_vorticity(velocity, i, j) + corner_vorticity(velocity, i + 1, j) +
-            corner_vorticity(velocity, i, j + 1) +
-            corner_vorticity(velocity, i + 1, j + 1));
+    return 0.25 * (corner_vorticity(velocity, i, j) +
+                   corner_vorticity(velocity, i + 1, j) +
+                   corner_vorticity(velocity, i, j + 1) +
+                   corner_vorticity(velocity, i + 1, j + 1));
   }
 
   void
@@ -45,13 +46,14 @@ namespace ephyra::fluid
     output.first_row          = grid.first_row;
     output.n_rows             = grid.n_rows;
 
-    const int n_y = grid.y.n_cells;
-    const auto add_field = [&](const char *name, const int n_components) -> GridField & {
+    const int  n_y       = grid.y.n_cells;
+    const auto add_field = [&](const char *name,
+                               const int   n_components) -> GridField & {
       GridField field;
       field.name = name;
-      field.components.assign(n_components,
-                              std::vector<double>(
-                                static_cast<std::size_t>(grid.n_rows) * n_y, 0.));
+      field.components.assign(
+        n_components,
+        std::vector<double>(static_cast<std::size_t>(grid.n_rows) * n_y, 0.));
       output.fields.push_back(std::move(field));
       return output.fields.back();
     };

@@ -7,12 +7,13 @@ namespace ephyra::fluid
 {
   namespace
   {
-    const char *const side_names[] = {"Lower boundary",
-                                      "Upper boundary",
-                                      "Outer boundary"};
+    const char *const side_names[] = {
+      "Lower boundary", "Upper boundary", "Outer boundary"};
 
     void
-    declare_side(ParameterHandler &prm, const std::string &name, const bool along_r)
+    declare_side(ParameterHandler  &prm,
+                 const std::string &name,
+                 const bool         along_r)
     {
       const ParameterHandler::Section section(prm, name);
       const std::string               where =
@@ -21,12 +22,14 @@ namespace ephyra::fluid
         "Type",
         "no-slip",
         patterns::Selection(
-          along_r ? "no-slip|free-slip|velocity|pressure|outflow|periodic" :
-                    "no-slip|free-slip|velocity|pressure|outflow"),
+          along_r ? "no-slip|free-slip|velocity|pressure|outflow|periodic"
+                  : "no-slip|free-slip|velocity|pressure|outflow"),
         "no-slip: a wall at rest. free-slip: no flow through, no friction. "
         "velocity: both components given (inflow, moving wall). pressure: "
-        "pressure given, velocity free. outflow: convective, balances the mass." +
-          std::string(along_r ? " periodic: lower and upper side together." : ""));
+        "pressure given, velocity free. outflow: convective, balances the "
+        "mass." +
+          std::string(along_r ? " periodic: lower and upper side together."
+                              : ""));
       prm.declare_entry("Radial velocity",
                         "0",
                         patterns::Expression({"s", "t"}, "m/s"),
@@ -47,12 +50,12 @@ namespace ephyra::fluid
       const ParameterHandler::Section section(prm, name);
       SideParameters                  side;
       const std::string               type = prm.get("Type");
-      side.kind = type == "no-slip"   ? SideKind::no_slip :
-                  type == "free-slip" ? SideKind::free_slip :
-                  type == "velocity"  ? SideKind::velocity :
-                  type == "pressure"  ? SideKind::pressure :
-                  type == "outflow"   ? SideKind::outflow :
-                                        SideKind::periodic;
+      side.kind            = type == "no-slip"     ? SideKind::no_slip
+                             : type == "free-slip" ? SideKind::free_slip
+                             : type == "velocity"  ? SideKind::velocity
+                             : type == "pressure"  ? SideKind::pressure
+                             : type == "outflow"   ? SideKind::outflow
+                                                   : SideKind::periodic;
       side.radial_velocity = prm.get("Radial velocity");
       side.axial_velocity  = prm.get("Axial velocity");
       side.pressure        = prm.get("Pressure");
@@ -63,8 +66,8 @@ namespace ephyra::fluid
                           type + "\": set Type = velocity or remove it.");
       if (prm.is_set("Pressure") && side.kind != SideKind::pressure)
         prm.add_error("Pressure",
-                      "is given, but the type of the " + name + " is \"" + type +
-                        "\": set Type = pressure or remove it.");
+                      "is given, but the type of the " + name + " is \"" +
+                        type + "\": set Type = pressure or remove it.");
       return side;
     }
   } // namespace
@@ -92,22 +95,25 @@ namespace ephyra::fluid
                       patterns::Selection("each substep|one"),
                       "With rk3: whether every substep ends free of divergence "
                       "or only the step.");
-    prm.declare_entry("Viscous terms",
-                      "automatic",
-                      patterns::Selection("automatic|explicit|implicit"),
-                      "automatic: implicit in those directions only in which an "
-                      "explicit treatment would restrict the time step.");
-    prm.declare_entry("Convection",
-                      "true",
-                      patterns::Bool(),
-                      "Whether the convective terms are there; without them the "
-                      "flow is a Stokes flow.");
-    prm.declare_entry("Poisson solver",
-                      "automatic",
-                      patterns::Selection("automatic|fft|eigen"),
-                      "fft: transforms in y (uniform axial spacing). eigen: "
-                      "eigenvectors in r (any spacing). automatic: fft where it "
-                      "is possible.");
+    prm.declare_entry(
+      "Viscous terms",
+      "automatic",
+      patterns::Selection("automatic|explicit|implicit"),
+      "automatic: implicit in those directions only in which an "
+      "explicit treatment would restrict the time step.");
+    prm.declare_entry(
+      "Convection",
+      "true",
+      patterns::Bool(),
+      "Whether the convective terms are there; without them the "
+      "flow is a Stokes flow.");
+    prm.declare_entry(
+      "Poisson solver",
+      "automatic",
+      patterns::Selection("automatic|fft|eigen"),
+      "fft: transforms in y (uniform axial spacing). eigen: "
+      "eigenvectors in r (any spacing). automatic: fft where it "
+      "is possible.");
     prm.declare_entry("Initial radial velocity",
                       "0",
                       patterns::Expression({"r", "y"}, "m/s"),
@@ -132,25 +138,27 @@ namespace ephyra::fluid
     const ParameterHandler::Section section(prm, "Fluid");
     density   = prm.get_double("Density");
     viscosity = prm.get_double("Viscosity");
-    scheme = prm.get("Time scheme") == "rk3" ? TimeScheme::rk3 : TimeScheme::ab2;
-    project_every_substep = prm.get("Projections per step") == "each substep";
+    scheme =
+      prm.get("Time scheme") == "rk3" ? TimeScheme::rk3 : TimeScheme::ab2;
+    project_every_substep   = prm.get("Projections per step") == "each substep";
     const std::string terms = prm.get("Viscous terms");
-    viscous = terms == "automatic" ? ViscousTreatment::automatic :
-              terms == "explicit"  ? ViscousTreatment::explicit_ :
-                                     ViscousTreatment::implicit;
-    convection = prm.get_bool("Convection");
+    viscous                 = terms == "automatic" ? ViscousTreatment::automatic
+                              : terms == "explicit" ? ViscousTreatment::explicit_
+                                                    : ViscousTreatment::implicit;
+    convection              = prm.get_bool("Convection");
     const std::string solver = prm.get("Poisson solver");
-    poisson = solver == "automatic" ? PoissonKind::automatic :
-              solver == "fft"       ? PoissonKind::fft :
-                                      PoissonKind::eigen;
-    initial_radial_velocity = prm.get("Initial radial velocity");
-    initial_axial_velocity  = prm.get("Initial axial velocity");
-    body_force              = prm.get("Axial body force");
+    poisson                  = solver == "automatic" ? PoissonKind::automatic
+                               : solver == "fft"     ? PoissonKind::fft
+                                                     : PoissonKind::eigen;
+    initial_radial_velocity  = prm.get("Initial radial velocity");
+    initial_axial_velocity   = prm.get("Initial axial velocity");
+    body_force               = prm.get("Axial body force");
     grid.parse(prm);
     lower = parse_side(prm, side_names[0]);
     upper = parse_side(prm, side_names[1]);
     outer = parse_side(prm, side_names[2]);
-    if ((lower.kind == SideKind::periodic) != (upper.kind == SideKind::periodic))
+    if ((lower.kind == SideKind::periodic) !=
+        (upper.kind == SideKind::periodic))
       prm.add_error("Lower boundary/Type",
                     "is periodic only together with the upper boundary: set "
                     "both, or none.");

@@ -37,9 +37,8 @@ namespace ephyra::fluid
     , boundary(parameters, the_grid)
     , momentum(parameters, the_grid, boundary)
     , implicit_viscosity(parameters, the_grid, boundary, momentum)
-    , poisson_solver(make_poisson_solver(parameters.poisson,
-                                         the_grid,
-                                         boundary.poisson_sides()))
+    , poisson_solver(make_poisson_solver(
+        parameters.poisson, the_grid, boundary.poisson_sides()))
     , body_force(parameters.body_force, {"t"})
     , current(the_grid)
     , predicted(the_grid)
@@ -48,38 +47,41 @@ namespace ephyra::fluid
     , new_pressure(the_grid)
     , phi(the_grid)
   {
-    set_initial_velocity(Expression(parameters.initial_radial_velocity,
-                                    {"r", "y"}),
-                         Expression(parameters.initial_axial_velocity,
-                                    {"r", "y"}));
+    const auto component = [](const std::string &formula) -> Component {
+      return [expression = Expression(formula, {"r", "y"}),
+              point      = std::vector<double>(2)](const double r,
+                                              const double y) mutable {
+        point[0] = r;
+        point[1] = y;
+        return expression.is_zero() ? 0. : expression(point);
+      };
+    };
+    set_initial_velocity(component(parameters.initial_radial_velocity),
+                         component(parameters.initial_axial_velocity));
   }
 
   void
-  FlowSolver::set_initial_velocity(const Expression &radial,
-                                   const Expression &axial)
+  FlowSolver::set_initial_velocity(const Component &radial,
+                                   const Component &axial)
   {
-    std::vector<double> point(2);
-    const auto evaluate = [&](const Expression &formula, double r, double y) {
-      point[0] = r;
-      point[1] = y;
-      return formula.is_zero() ? 0. : formula(point);
-    };
-    const int n_r = the_grid.r.n_cells, n_y = the_grid.y.n_cells;
-    const int last = the_grid.is_last_rank() ? n_r : the_grid.end_row() - 1;
-    for (int i = the_grid.first_row; i <= last; ++i)
-      for (int j = 0; j < n_y; ++j)
-        current.r(i, j) =
-          i == 0 ? 0. : evaluate(radial, the_grid.r.face[i], the_grid.y.centre[j]);
+    const GridLine &r = the_grid.r, &y = the_grid.y;
+    const int       end_face =
+      the_grid.end_row() + (the_grid.is_last_rank() ? 1 : 0);
+    for (int i = std::max(1, the_grid.first_row); i < end_face; ++i)
+      for (int j = 0; j < y.n_cells; ++j)
+        current.r(i, j) = radial(r.face[i], y.centre[j]);
     for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
-      for (int j = 0; j <= n_y; ++j)
-        current.y(i, j) =
-          evaluate(axial, the_grid.r.centre[i], the_grid.y.face[j]);
+      for (int j = 0; j <= y.n_cells; ++j)
+        current.y(i, j) = axial(r.centre[i], y.face[j]);
 
     boundary.set_time(time);
     boundary.set_normal_velocities(current, 0., current);
     update_ghosts();
     make_divergence_free(current, 1., nullptr);
-    started = false;
+    update_ghosts();
+    projected          = true;
+    started            = false;
+    previous_time_step = 0;
   }
 
   void
@@ -129,9 +131,11 @@ namespace ephyra::fluid
   double
   FlowSolver::viscous_time_step_limit() const
   {
-    const double dr = the_grid.r.smallest_width(), dy = the_grid.y.smallest_width();
+    const double dr = the_grid.r.smallest_width(),
+                 dy = the_grid.y.smallest_width();
     return real_axis_limit(parameters.scheme) /
-           (4 * parameters.kinematic_viscosity() * (1 / (dr * dr) + 1 / (dy * dy)));
+           (4 * parameters.kinematic_viscosity() *
+            (1 / (dr * dr) + 1 / (dy * dy)));
   }
 
   void
@@ -140,31 +144,33 @@ namespace ephyra::fluid
     ImplicitDirections chosen;
     const double       nu    = parameters.kinematic_viscosity();
     const double       limit = real_axis_limit(parameters.scheme);
-    const double number_r = 4 * nu * time_step / std::pow(the_grid.r.smallest_width(), 2);
-    const double number_y = 4 * nu * time_step / std::pow(the_grid.y.smallest_width(), 2);
+    const double       number_r =
+      4 * nu * time_step / std::pow(the_grid.r.smallest_width(), 2);
+    const double number_y =
+      4 * nu * time_step / std::pow(the_grid.y.smallest_width(), 2);
     switch (parameters.viscous)
       {
-        case ViscousTreatment::explicit_:
-          EphyraThrowIf(number_r + number_y > limit,
-                        InputError,
-                        "The time step "
-                          << time_step
-                          << " s of the flow exceeds the limit of explicit "
-                             "viscosity, "
-                          << viscous_time_step_limit()
-                          << " s: choose a smaller step or set \"Viscous "
-                             "terms\" to automatic.");
+      case ViscousTreatment::explicit_:
+        EphyraThrowIf(number_r + number_y > limit,
+                      InputError,
+                      "The time step "
+                        << time_step
+                        << " s of the flow exceeds the limit of explicit "
+                           "viscosity, "
+                        << viscous_time_step_limit()
+                        << " s: choose a smaller step or set \"Viscous "
+                           "terms\" to automatic.");
+        break;
+      case ViscousTreatment::implicit:
+        chosen.r = chosen.y = nu > 0;
+        break;
+      case ViscousTreatment::automatic:
+        if (number_r + number_y <= limit)
           break;
-        case ViscousTreatment::implicit:
-          chosen.r = chosen.y = nu > 0;
-          break;
-        case ViscousTreatment::automatic:
-          if (number_r + number_y <= limit)
-            break;
-          // One direction where that is enough, else both.
-          chosen.r = number_r > number_y || number_y > limit;
-          chosen.y = number_y >= number_r || number_r > limit;
-          break;
+        // One direction where that is enough, else both.
+        chosen.r = number_r > number_y || number_y > limit;
+        chosen.y = number_y >= number_r || number_r > limit;
+        break;
       }
     if (started && chosen.r == implicit.r && chosen.y == implicit.y)
       return;
@@ -173,10 +179,10 @@ namespace ephyra::fluid
       return;
     std::ostringstream text;
     text << "Flow: viscous terms "
-         << (!implicit.any()         ? "explicit" :
-             implicit.r && implicit.y ? "implicit" :
-             implicit.r               ? "implicit in r, explicit in y" :
-                                        "implicit in y, explicit in r")
+         << (!implicit.any()            ? "explicit"
+             : implicit.r && implicit.y ? "implicit"
+             : implicit.r               ? "implicit in r, explicit in y"
+                                        : "implicit in y, explicit in r")
          << " (time step " << time_step << " s, explicit limit "
          << viscous_time_step_limit() << " s).";
     log().line(text.str());
@@ -214,6 +220,8 @@ namespace ephyra::fluid
     boundary.set_normal_velocities(current, time_step, predicted);
     predicted.r.exchange_halo();
     make_divergence_free(predicted, time_step, &new_pressure);
+    new_pressure.exchange_halo();
+    boundary.fill_pressure_ghosts(new_pressure);
     projected = true;
   }
 
@@ -291,8 +299,8 @@ namespace ephyra::fluid
                                    const double            step,
                                    DistributedArray *const pressure)
   {
-    const int    n_y    = the_grid.y.n_cells;
-    const double factor = step / parameters.density;
+    const int    n_y      = the_grid.y.n_cells;
+    const double factor   = step / parameters.density;
     int          previous = -1;
     poisson_solver->solve(
       phi,
@@ -323,14 +331,14 @@ namespace ephyra::fluid
   void
   FlowSolver::correct_pressure_for_implicit_viscosity(const double step)
   {
-    const double a = 0.5 * step * parameters.kinematic_viscosity();
+    const double a   = 0.5 * step * parameters.kinematic_viscosity();
     const double a_r = implicit.r ? a : 0., a_y = implicit.y ? a : 0.;
     for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
       {
         const ViscousStencil stencil = radial_stencil_of_v_y(the_grid, i);
-        const double *const  below = phi.row(i - 1), *const here = phi.row(i),
+        const double *const below = phi.row(i - 1), *const here = phi.row(i),
                             *const above = phi.row(i + 1);
-        double *const p = new_pressure.row(i);
+        double *const              p     = new_pressure.row(i);
         for (int j = 0; j < the_grid.y.n_cells; ++j)
           p[j] -= a_r * (stencil.plus * above[j] - stencil.centre * here[j] +
                          stencil.minus * below[j]) +
@@ -373,9 +381,10 @@ namespace ephyra::fluid
     for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
       {
         const double        inv_dr = 1. / the_grid.r.width[i];
-        const double *const u = current.r.row(i), *const up = current.r.row(i + 1);
-        const double *const w     = current.y.row(i);
-        const double *const width = the_grid.y.width.data();
+        const double *const u      = current.r.row(i), *const up =
+                                                    current.r.row(i + 1);
+        const double *const w       = current.y.row(i);
+        const double *const width   = the_grid.y.width.data();
         double              row_max = 0, row_sum = 0;
         for (int j = 0; j < the_grid.y.n_cells; ++j)
           {
@@ -410,23 +419,22 @@ namespace ephyra::fluid
       archive.rows(name + " r",
                    field.r.row(the_grid.first_row),
                    field.r.layout(n_y, true));
-      archive.rows(name + " y",
-                   field.y.row(the_grid.first_row),
-                   field.y.layout(n_y + 1));
+      archive.rows(
+        name + " y", field.y.row(the_grid.first_row), field.y.layout(n_y + 1));
     };
     if (archive.reading())
       projected = true;
     DistributedArray &pressure = projected ? new_pressure : old_pressure;
     save("velocity", current);
-    archive.rows("pressure",
-                 pressure.row(the_grid.first_row),
-                 pressure.layout(n_y));
+    archive.rows(
+      "pressure", pressure.row(the_grid.first_row), pressure.layout(n_y));
     if (parameters.scheme == TimeScheme::ab2)
       save("history", history);
     archive.value("time", time);
     archive.value("time step", time_step);
     archive.value("previous time step", previous_time_step);
-    std::int64_t is_started = started ? 1 : 0, directions = implicit.r + 2 * implicit.y;
+    std::int64_t is_started = started ? 1 : 0,
+                 directions = implicit.r + 2 * implicit.y;
     archive.value("started", is_started);
     archive.value("implicit directions", directions);
     if (!archive.reading())

@@ -12,7 +12,8 @@ namespace ephyra::fluid
     , boundary(boundary)
     , momentum(momentum)
     , nu(parameters.kinematic_viscosity())
-  {}
+  {
+  }
 
   RowTridiagonal::Rows
   ImplicitViscosity::radial_rows(const double a) const
@@ -50,8 +51,8 @@ namespace ephyra::fluid
         const ViscousStencil stencil = radial_stencil_of_v_y(grid, i);
         double               centre  = stencil.centre;
         if (i == grid.r.n_cells - 1)
-          centre += boundary.fixes_tangential(Boundary::outer) ? stencil.plus :
-                                                                 -stencil.plus;
+          centre += boundary.fixes_tangential(Boundary::outer) ? stencil.plus
+                                                               : -stencil.plus;
         rows.lower.push_back(-a * stencil.minus);
         rows.diagonal.push_back(1 + a * centre);
         rows.upper.push_back(-a * stencil.plus);
@@ -107,13 +108,12 @@ namespace ephyra::fluid
     const std::vector<double> one_matrix{0.};
     const int      n_faces = boundary.end_y_face() - boundary.first_y_face();
     const MPI_Comm comm    = grid.communicator();
-    cache.push_back(std::make_unique<Factors>(
-      Factors{step,
-              RowTridiagonal(
-                radial_rows(a), one_matrix, grid.y.n_cells, false, comm),
-              RowTridiagonal(axial_rows(a), one_matrix, n_faces, false, comm),
-              radial_columns(a),
-              axial_columns(a)}));
+    cache.push_back(std::make_unique<Factors>(Factors{
+      step,
+      RowTridiagonal(radial_rows(a), one_matrix, grid.y.n_cells, false, comm),
+      RowTridiagonal(axial_rows(a), one_matrix, n_faces, false, comm),
+      radial_columns(a),
+      axial_columns(a)}));
     return *cache.back();
   }
 
@@ -160,18 +160,21 @@ namespace ephyra::fluid
     const int     n_y   = grid.y.n_cells;
     double       *rows[block];
 
-    for (int i0 = boundary.first_r_face(); i0 < boundary.end_r_face(); i0 += block)
+    for (int i0 = boundary.first_r_face(); i0 < boundary.end_r_face();
+         i0 += block)
       {
         const int n = std::min(block, boundary.end_r_face() - i0);
         for (int k = 0; k < n; ++k)
           {
             const int     i = i0 + k;
             double *const f = field.r.row(i);
-            if (i < grid.r.n_cells && boundary.fixes_tangential(Boundary::lower))
+            if (i < grid.r.n_cells &&
+                boundary.fixes_tangential(Boundary::lower))
               f[0] += a * momentum.cell_down[0] *
                       (2 * boundary.tangential(Boundary::lower, i) -
                        (old.r(i, -1) + old.r(i, 0)));
-            if (i < grid.r.n_cells && boundary.fixes_tangential(Boundary::upper))
+            if (i < grid.r.n_cells &&
+                boundary.fixes_tangential(Boundary::upper))
               f[n_y - 1] += a * momentum.cell_up[n_y - 1] *
                             (2 * boundary.tangential(Boundary::upper, i) -
                              (old.r(i, n_y) + old.r(i, n_y - 1)));

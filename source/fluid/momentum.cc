@@ -20,12 +20,12 @@ namespace ephyra::fluid
   ViscousStencil
   radial_stencil_of_v_r(const StaggeredGrid &grid, const int i)
   {
-    const GridLine &r    = grid.r;
-    const int       n    = r.n_cells;
-    const double    gap  = r.centre_gap[i];
-    const auto      area = [&](const int k) { return r.centre[k] * r.width[k]; };
-    const double    area_m = area(i - 1), area_p = i < n ? area(i) : area_m;
-    const double    r_p = i < n ? r.face[i + 1] : r.face[n] + r.width[n - 1];
+    const GridLine &r   = grid.r;
+    const int       n   = r.n_cells;
+    const double    gap = r.centre_gap[i];
+    const auto   area   = [&](const int k) { return r.centre[k] * r.width[k]; };
+    const double area_m = area(i - 1), area_p = i < n ? area(i) : area_m;
+    const double r_p = i < n ? r.face[i + 1] : r.face[n] + r.width[n - 1];
     return {r.face[i - 1] / (area_m * gap),
             r.face[i] / gap * (1. / area_p + 1. / area_m),
             r_p / (area_p * gap)};
@@ -36,7 +36,7 @@ namespace ephyra::fluid
   {
     const GridLine &r        = grid.r;
     const double    inv_area = 1. / (r.centre[i] * r.width[i]);
-    const double    minus = r.face[i] * inv_area / mirrored_gap(r, i, false);
+    const double    minus    = r.face[i] * inv_area / mirrored_gap(r, i, false);
     const double    plus =
       r.face[i + 1] * inv_area / mirrored_gap(r, i + 1, false);
     return {minus, minus + plus, plus};
@@ -96,11 +96,11 @@ namespace ephyra::fluid
     const GridLine &r   = grid.r;
     const int       n_r = r.n_cells, n_y = grid.y.n_cells;
     const double    beta = factors.beta, gamma = factors.gamma;
-    const double nu_r = factors.directions.r ? 0. : nu;
-    const double nu_y = factors.directions.y ? 0. : nu;
-    const double implicit_r = factors.implicit * (nu - nu_r);
-    const double implicit_y = factors.implicit * (nu - nu_y);
-    const auto   area = [&](const int i) { return r.centre[i] * r.width[i]; };
+    const double    nu_r       = factors.directions.r ? 0. : nu;
+    const double    nu_y       = factors.directions.y ? 0. : nu;
+    const double    implicit_r = factors.implicit * (nu - nu_r);
+    const double    implicit_y = factors.implicit * (nu - nu_y);
+    const auto area = [&](const int i) { return r.centre[i] * r.width[i]; };
 
     // Stores H and the result at j; `viscous_*` without viscosity.
     const auto finish = [=](const double  h_convective,
@@ -130,24 +130,24 @@ namespace ephyra::fluid
         const bool   open = i == n_r; // half a control volume on an open side
         const double gap  = r.centre_gap[i];
         const double r_m = r.face[i - 1], r_c = r.face[i];
-        const double r_p = open ? r_c + r.width[n_r - 1] : r.face[i + 1];
+        const double r_p     = open ? r_c + r.width[n_r - 1] : r.face[i + 1];
         const double scale_r = 0.25 / (r_c * gap);
         const double half_m  = 0.25 * area(i - 1) / (r_c * gap);
         const double half_p  = open ? 0. : 0.25 * area(i) / (r_c * gap);
         const ViscousStencil stencil = radial_stencil_of_v_r(grid, i);
-        const double visc_m = stencil.minus, visc_c = stencil.centre,
+        const double         visc_m = stencil.minus, visc_c = stencil.centre,
                      visc_p = stencil.plus;
-        const double grad =
-          factors.pressure / mirrored_gap(r, i, false);
+        const double grad   = factors.pressure / mirrored_gap(r, i, false);
 
         const double *const um = u.r.row(i - 1), *const uc = u.r.row(i),
-                           *const up = u.r.row(i + 1);
+                            *const up = u.r.row(i + 1);
         const double *const wm = u.y.row(i - 1), *const wp = u.y.row(i);
         const double *const pm = p.row(i - 1), *const pp = p.row(i);
         const double *const inv_dy = inv_width.data();
-        const double *const down = cell_down.data(), *const up_y = cell_up.data();
-        double *const       hist = history.r.row(i);
-        double *const       result = out.r.row(i);
+        const double *const down   = cell_down.data(), *const up_y =
+                                                       cell_up.data();
+        double *const hist   = history.r.row(i);
+        double *const result = out.r.row(i);
 #pragma GCC ivdep
         for (int j = 0; j < n_y; ++j)
           {
@@ -166,8 +166,8 @@ namespace ephyra::fluid
               }
             const double viscous_r =
               visc_p * up[j] - visc_c * uc[j] + visc_m * um[j];
-            const double viscous_y = up_y[j] * (uc[j + 1] - uc[j]) -
-                                     down[j] * (uc[j] - uc[j - 1]);
+            const double viscous_y =
+              up_y[j] * (uc[j + 1] - uc[j]) - down[j] * (uc[j] - uc[j - 1]);
             finish(h,
                    viscous_r,
                    viscous_y,
@@ -184,43 +184,46 @@ namespace ephyra::fluid
     const double body_force = factors.body_force;
     for (int i = grid.first_row; i < grid.end_row(); ++i)
       {
-        const double inv_area = 1. / area(i);
-        const double flux_up  = 0.5 * r.face[i + 1] * inv_area;
-        const double flux_low = 0.5 * r.face[i] * inv_area;
-        const ViscousStencil stencil = radial_stencil_of_v_y(grid, i);
+        const double         inv_area = 1. / area(i);
+        const double         flux_up  = 0.5 * r.face[i + 1] * inv_area;
+        const double         flux_low = 0.5 * r.face[i] * inv_area;
+        const ViscousStencil stencil  = radial_stencil_of_v_y(grid, i);
         const double         visc_m = stencil.minus, visc_p = stencil.plus;
 
         const double *const wm = u.y.row(i - 1), *const wc = u.y.row(i),
-                           *const wp = u.y.row(i + 1);
+                            *const wp = u.y.row(i + 1);
         const double *const um = u.r.row(i), *const up = u.r.row(i + 1);
         const double *const pc   = p.row(i);
-        const double *const igap = inv_gap.data(), *const grad = gradient.data();
-        const double *const below = mean_below.data(),
-                           *const above = mean_above.data();
-        const double *const down = face_down.data(), *const up_y = face_up.data();
-        const double        pressure = factors.pressure;
-        double *const       hist     = history.y.row(i);
-        double *const       result   = out.y.row(i);
+        const double *const igap = inv_gap.data(), *const grad =
+                                                     gradient.data();
+        const double *const below = mean_below.data(), *const above =
+                                                         mean_above.data();
+        const double *const down = face_down.data(), *const up_y =
+                                                       face_up.data();
+        const double  pressure = factors.pressure;
+        double *const hist     = history.y.row(i);
+        double *const result   = out.y.row(i);
 #pragma GCC ivdep
         for (int j = first; j < end; ++j)
           {
             double h = body_force;
             if constexpr (convection)
               {
-                const double sum_p = wc[j] + wc[j + 1], sum_m = wc[j - 1] + wc[j];
-                const double flux_p = flux_up *
-                                      (below[j] * up[j - 1] + above[j] * up[j]) *
-                                      (wc[j] + wp[j]);
-                const double flux_m = flux_low *
-                                      (below[j] * um[j - 1] + above[j] * um[j]) *
-                                      (wm[j] + wc[j]);
+                const double sum_p = wc[j] + wc[j + 1],
+                             sum_m = wc[j - 1] + wc[j];
+                const double flux_p =
+                  flux_up * (below[j] * up[j - 1] + above[j] * up[j]) *
+                  (wc[j] + wp[j]);
+                const double flux_m =
+                  flux_low * (below[j] * um[j - 1] + above[j] * um[j]) *
+                  (wm[j] + wc[j]);
                 h -= 0.25 * (sum_p * sum_p - sum_m * sum_m) * igap[j] +
                      (flux_p - flux_m);
               }
             const double viscous_r =
               visc_p * (wp[j] - wc[j]) - visc_m * (wc[j] - wm[j]);
-            const double viscous_y = up_y[j] * (wc[j + 1] - wc[j]) -
-                                     down[j] * (wc[j] - wc[j - 1]);
+            const double viscous_y =
+              up_y[j] * (wc[j + 1] - wc[j]) - down[j] * (wc[j] - wc[j - 1]);
             finish(h,
                    viscous_r,
                    viscous_y,
@@ -241,8 +244,9 @@ namespace ephyra::fluid
                    const Factors          &factors) const
   {
     const bool use_history = factors.gamma != 0;
-    const auto choose = [&](const auto convective, const auto split) {
-      constexpr bool c = decltype(convective)::value, s = decltype(split)::value;
+    const auto choose      = [&](const auto convective, const auto split) {
+      constexpr bool c = decltype(convective)::value,
+                     s = decltype(split)::value;
       if (use_history && factors.store_history)
         update_rows<c, s, true, true>(u, p, history, out, factors);
       else if (use_history)
@@ -270,7 +274,7 @@ namespace ephyra::fluid
   {
     const double        scale = factor / mirrored_gap(grid.r, i, false);
     const double *const below = phi.row(i - 1), *const above = phi.row(i);
-    double *const       v = u.r.row(i);
+    double *const v = u.r.row(i);
 #pragma GCC ivdep
     for (int j = 0; j < grid.y.n_cells; ++j)
       v[j] -= scale * (above[j] - below[j]);
@@ -298,14 +302,14 @@ namespace ephyra::fluid
                        double *const        row) const
   {
     const double        scale = factor / (grid.r.centre[i] * grid.r.width[i]);
-    const double        up = scale * grid.r.face[i + 1];
-    const double        low = scale * grid.r.face[i];
+    const double        up    = scale * grid.r.face[i + 1];
+    const double        low   = scale * grid.r.face[i];
     const double *const v_low = u.r.row(i), *const v_up = u.r.row(i + 1);
     const double *const w      = u.y.row(i);
     const double *const inv_dy = inv_width.data();
 #pragma GCC ivdep
     for (int j = 0; j < grid.y.n_cells; ++j)
-      row[j] = up * v_up[j] - low * v_low[j] +
-               factor * inv_dy[j] * (w[j + 1] - w[j]);
+      row[j] =
+        up * v_up[j] - low * v_low[j] + factor * inv_dy[j] * (w[j + 1] - w[j]);
   }
 } // namespace ephyra::fluid

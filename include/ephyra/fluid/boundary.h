@@ -88,7 +88,8 @@ namespace ephyra::fluid
     std::size_t
     slot(const int i) const
     {
-      return static_cast<std::size_t>(i - grid.first_row + DistributedArray::halo);
+      return static_cast<std::size_t>(i - grid.first_row +
+                                      DistributedArray::halo);
     }
     void
     fill_scalar_ghosts(DistributedArray &field, bool homogeneous) const;

@@ -33,7 +33,7 @@ namespace ephyra::fluid
     std::vector<double> lower, inverse, upper;
     // Cyclic: A = A' + u v^T, Sherman-Morrison.
     bool                cyclic;
-    std::vector<double> response; ///< A'^-1 u / (1 + v . A'^-1 u)
+    std::vector<double> response;   ///< A'^-1 u / (1 + v . A'^-1 u)
     double              weight = 0; ///< v = (1, 0, ..., 0, weight)
     AlignedVector       buffer;
   };

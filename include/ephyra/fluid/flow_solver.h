@@ -10,6 +10,7 @@
 #include "ephyra/fluid/poisson_solver.h"
 #include "ephyra/fluid/velocity_field.h"
 
+#include <functional>
 #include <memory>
 
 namespace ephyra::fluid
@@ -100,9 +101,12 @@ namespace ephyra::fluid
     /// Recomputes ghosts after velocity() was set from outside; collective.
     void
     update_ghosts();
-    /// Sets the velocity from formulas in (r, y) and makes it divergence-free.
+    /// A velocity component as a function of (r, y), m/s.
+    using Component = std::function<double(double r, double y)>;
+    /// Sets the velocity, made free of divergence; pressure and history start
+    /// anew. Collective.
     void
-    set_initial_velocity(const Expression &radial, const Expression &axial);
+    set_initial_velocity(const Component &radial, const Component &axial);
 
     // --- status -----------------------------------------------------------
     /// max(|v_r|/dr + |v_y|/dy) dt; not finite where the fields are not.
@@ -151,21 +155,21 @@ namespace ephyra::fluid
     void
     correct_pressure_for_implicit_viscosity(double step);
 
-    const Parameters                 parameters;
-    const StaggeredGrid              the_grid;
-    Boundary                         boundary;
-    Momentum                         momentum;
-    ImplicitViscosity                implicit_viscosity;
-    std::unique_ptr<PoissonSolver>   poisson_solver;
-    Expression                       body_force;
+    const Parameters               parameters;
+    const StaggeredGrid            the_grid;
+    Boundary                       boundary;
+    Momentum                       momentum;
+    ImplicitViscosity              implicit_viscosity;
+    std::unique_ptr<PoissonSolver> poisson_solver;
+    Expression                     body_force;
 
     VelocityField    current, predicted, history;
     DistributedArray old_pressure, new_pressure, phi;
 
-    double time = 0, time_step = 0, previous_time_step = 0;
-    bool   projected       = true;
-    bool   keeps_predicted = true;
-    bool   started         = false; ///< pressure known, history valid
+    double             time = 0, time_step = 0, previous_time_step = 0;
+    bool               projected       = true;
+    bool               keeps_predicted = true;
+    bool               started = false; ///< pressure known, history valid
     ImplicitDirections implicit;
   };
 } // namespace ephyra::fluid

@@ -44,9 +44,15 @@ namespace ephyra::fluid
     Factors &
     factors(double step);
     void
-    solve_along_r(Factors &, double a, const VelocityField &old, VelocityField &);
+    solve_along_r(Factors &,
+                  double               a,
+                  const VelocityField &old,
+                  VelocityField &);
     void
-    solve_along_y(Factors &, double a, const VelocityField &old, VelocityField &);
+    solve_along_y(Factors &,
+                  double               a,
+                  const VelocityField &old,
+                  VelocityField &);
 
     RowTridiagonal::Rows
     radial_rows(double a) const;

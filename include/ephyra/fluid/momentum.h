@@ -54,11 +54,11 @@ namespace ephyra::fluid
     /// that ImplicitViscosity finishes.
     struct Factors
     {
-      double             pressure; ///< alpha dt / rho
-      double             beta, gamma; ///< with dt, s
-      double             body_force; ///< per mass, m/s^2
+      double             pressure;      ///< alpha dt / rho
+      double             beta, gamma;   ///< with dt, s
+      double             body_force;    ///< per mass, m/s^2
       bool               store_history; ///< history = H(u)
-      double             implicit; ///< alpha dt, s
+      double             implicit;      ///< alpha dt, s
       ImplicitDirections directions;
     };
 

@@ -1,0 +1,109 @@
+// Decaying Stokes eigenmodes of a periodic pipe. The eigenvalues beta are
+// roots of k I0(k) J1(beta) = beta J0(beta) I1(k) (no-slip wall) and of
+// J1(beta) = 0 (slip wall), computed independently.
+#include "exact_flows.h"
+
+#include <boost/test/unit_test.hpp>
+
+using namespace exact_flows;
+
+namespace
+{
+  const StokesMode no_slip_mode{M_PI, 4.8055067166, 0.1, false};
+  const StokesMode slip_mode{M_PI, 3.8317059702, 0.1, true};
+
+  double
+  mode_error(const StokesMode &mode,
+             FlowParameters    parameters,
+             const double      end_time,
+             const int         n_steps)
+  {
+    parameters.outer.kind = mode.slip ? SideKind::free_slip : SideKind::no_slip;
+    parameters.convection = false;
+    FlowSolver flow(parameters, MPI_COMM_WORLD);
+    flow.set_initial_velocity(mode.v_r(0), mode.v_y(0));
+    run(flow, end_time, n_steps);
+    return relative_error(flow, mode.v_r(end_time), mode.v_y(end_time));
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(stokes_modes)
+
+BOOST_AUTO_TEST_CASE(order_in_space)
+{
+  for (const StokesMode &mode : {no_slip_mode, slip_mode})
+    for (const bool stretched : {false, true})
+      {
+        double previous = 0;
+        for (const int n : {12, 24, 48})
+          {
+            FlowParameters parameters = unit_pipe(n, 2., mode.viscosity);
+            parameters.viscous        = ViscousTreatment::implicit;
+            if (stretched)
+              {
+                parameters.grid.r.breakpoints = {0., 0.5, 1.};
+                parameters.grid.r.spacings    = {0.7 / n, 1.4 / n, 0.5 / n};
+              }
+            const double error = mode_error(mode, parameters, 0.2, 2 * n);
+            if (previous > 0)
+              {
+                BOOST_TEST_MESSAGE((mode.slip ? "slip" : "no-slip")
+                                   << (stretched ? ", stretched" : ", uniform")
+                                   << ", n = " << n << ": error " << error
+                                   << ", order "
+                                   << std::log2(previous / error));
+                BOOST_TEST(std::log2(previous / error) > 1.85);
+              }
+            previous = error;
+          }
+        BOOST_TEST(previous < 2e-3);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(order_in_time)
+{
+  // Errors in time alone: against a run with 16 times as many steps.
+  for (const TimeScheme scheme : {TimeScheme::rk3, TimeScheme::ab2})
+    for (const ViscousTreatment viscous :
+         {ViscousTreatment::explicit_, ViscousTreatment::implicit})
+      {
+        const bool     implicit   = viscous == ViscousTreatment::implicit;
+        FlowParameters parameters = unit_pipe(12, 2., no_slip_mode.viscosity);
+        parameters.scheme         = scheme;
+        parameters.viscous        = viscous;
+        parameters.convection     = false;
+        const int    n0 = implicit ? 10 : (scheme == TimeScheme::rk3 ? 12 : 30);
+        const double end = 0.2;
+
+        std::vector<std::unique_ptr<FlowSolver>> flows;
+        for (const int n : {n0, 2 * n0, 4 * n0, 64 * n0})
+          {
+            flows.push_back(
+              std::make_unique<FlowSolver>(parameters, MPI_COMM_WORLD));
+            flows.back()->set_initial_velocity( no_slip_mode.v_r(0), no_slip_mode.v_y(0));
+            run(*flows.back(), end, n);
+          }
+        const StaggeredGrid &grid       = flows[0]->grid();
+        const auto           difference = [&](const FlowSolver &flow) {
+          double sum = 0;
+          for (int i = grid.first_row; i < grid.end_row(); ++i)
+            for (int j = 0; j < grid.y.n_cells; ++j)
+              sum +=
+                std::pow(flow.velocity().y(i, j) - flows[3]->velocity().y(i, j),
+                         2) +
+                std::pow(flow.velocity().r(i, j) - flows[3]->velocity().r(i, j),
+                         2);
+          return std::sqrt(mpi::sum(sum, MPI_COMM_WORLD));
+        };
+        const double coarse = difference(*flows[0]),
+                     middle = difference(*flows[1]),
+                     fine   = difference(*flows[2]);
+        BOOST_TEST_MESSAGE((scheme == TimeScheme::rk3 ? "rk3" : "ab2")
+                           << (implicit ? ", implicit" : ", explicit")
+                           << ": orders " << std::log2(coarse / middle) << ", "
+                           << std::log2(middle / fine) << ", error " << fine);
+        BOOST_TEST(std::log2(middle / fine) > 1.85);
+      }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
