@@ -65,8 +65,7 @@ namespace ephyra::fluid
                                    const Component &axial)
   {
     const GridLine &r = the_grid.r, &y = the_grid.y;
-    const int       end_face =
-      the_grid.end_row() + (the_grid.is_last_rank() ? 1 : 0);
+    const int end_face = the_grid.end_row() + (the_grid.is_last_rank() ? 1 : 0);
     for (int i = std::max(1, the_grid.first_row); i < end_face; ++i)
       for (int j = 0; j < y.n_cells; ++j)
         current.r(i, j) = radial(r.face[i], y.centre[j]);
@@ -219,6 +218,7 @@ namespace ephyra::fluid
     boundary.set_time(time + time_step);
     boundary.set_normal_velocities(current, time_step, predicted);
     predicted.r.exchange_halo();
+    boundary.fill_ghosts(predicted);
     make_divergence_free(predicted, time_step, &new_pressure);
     new_pressure.exchange_halo();
     boundary.fill_pressure_ghosts(new_pressure);
@@ -285,6 +285,7 @@ namespace ephyra::fluid
     const double step =
       parameters.project_every_substep ? stage_dt(k) : time_step;
     current.r.exchange_halo();
+    boundary.fill_ghosts(current);
     make_divergence_free(current, step, &new_pressure);
     if (implicit.any())
       correct_pressure_for_implicit_viscosity(step);

@@ -80,7 +80,8 @@ BOOST_AUTO_TEST_CASE(order_in_time)
           {
             flows.push_back(
               std::make_unique<FlowSolver>(parameters, MPI_COMM_WORLD));
-            flows.back()->set_initial_velocity( no_slip_mode.v_r(0), no_slip_mode.v_y(0));
+            flows.back()->set_initial_velocity(no_slip_mode.v_r(0),
+                                               no_slip_mode.v_y(0));
             run(*flows.back(), end, n);
           }
         const StaggeredGrid &grid       = flows[0]->grid();
