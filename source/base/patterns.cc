@@ -207,7 +207,7 @@ namespace ephyra::patterns
         return "";
     const std::string best = text::nearest(text, choices);
     return text::quote(text) + " is not among the choices" +
-           (best.empty() ? "" : ", did you mean " + text::quote(best) + "?");
+           (best.empty() ? "" : " (did you mean " + text::quote(best) + "?)");
   }
 
   std::string
@@ -255,9 +255,9 @@ namespace ephyra::patterns
       return "";
     // "1, 2, 3 mm" would be 1 m, 2 m and 3 mm.
     bool some = false, all = true;
-    for (const std::string &text : items)
+    for (const std::string &number : items)
       {
-        const Quantity quantity = parse_quantity(text);
+        const Quantity quantity = parse_quantity(number);
         some                    = some || quantity.has_unit;
         all = all && (quantity.has_unit || quantity.value == 0);
       }

@@ -69,8 +69,10 @@ namespace ephyra
   {
     if (interval == 0)
       return;
-    if (n_steps == 0 && remaining.seconds() < 0)
-      remaining.update(wall_of_last, 0);
+    // A resumed run does not begin at zero: measure from the first step on.
+    if (!started)
+      remaining.update(MPI_Wtime(), control.progress());
+    started = true;
     ++n_steps;
     cfl = std::max(cfl, step_cfl);
     if (iterations >= 0)

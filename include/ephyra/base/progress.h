@@ -53,6 +53,7 @@ namespace ephyra
   private:
     const int     interval;
     RemainingTime remaining;
+    bool          started        = false;
     int           n_steps        = 0; ///< since the last line
     double        cfl            = -1;
     double        iterations_sum = 0;

@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(errors_in_repeated_subsections)
                        "  end\n"
                        "end\n") ==
              one + "3: Body left/Motion/Type = \"fre\": \"fre\" is not among "
-                   "the choices, did you mean \"free\"?; allowed is one of "
+                   "the choices (did you mean \"free\"?); allowed is one of "
                    "\"fixed\", \"free\"");
 }
 

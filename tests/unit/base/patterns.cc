@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(integers_and_words)
   const Selection motion("fixed|prescribed motion|free");
   BOOST_TEST(motion.error("prescribed motion") == "");
   BOOST_TEST(motion.error("fixd") ==
-             "\"fixd\" is not among the choices, did you mean \"fixed\"?");
+             "\"fixd\" is not among the choices (did you mean \"fixed\"?)");
   BOOST_TEST(motion.error("elastic") == "\"elastic\" is not among the choices");
   BOOST_TEST(motion.description() ==
              "one of \"fixed\", \"prescribed motion\", \"free\"");
