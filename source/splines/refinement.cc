@@ -44,31 +44,29 @@ namespace ephyra::splines
         }
       knots.insert(knots.begin() + k + 1, x);
     }
-
-    /// Polar form of the piece on the span [u_k, u_{k+1}) at p arguments.
-    void
-    blossom(const SplineRows          &spline,
-            const int                  k,
-            const std::vector<double> &arguments,
-            std::vector<double>       &work)
-    {
-      const int                  p     = spline.knots.degree();
-      const int                  width = spline.width;
-      const std::vector<double> &u     = spline.knots.knots();
-      work.assign(spline.rows.begin() + static_cast<long>(k - p) * width,
-                  spline.rows.begin() + static_cast<long>(k + 1) * width);
-      for (int level = 1; level <= p; ++level)
-        for (int i = p; i >= level; --i)
-          {
-            const int    j = k - p + i;
-            const double a =
-              (arguments[level - 1] - u[j]) / (u[j + p - level + 1] - u[j]);
-            for (int c = 0; c < width; ++c)
-              work[i * width + c] =
-                a * work[i * width + c] + (1. - a) * work[(i - 1) * width + c];
-          }
-    }
   } // namespace
+
+  void
+  polar_form(const KnotVector          &knots,
+             const int                  span,
+             const std::vector<double> &arguments,
+             const int                  width,
+             std::vector<double>       &coefficients)
+  {
+    const int                  p = knots.degree();
+    const std::vector<double> &u = knots.knots();
+    for (int level = 1; level <= p; ++level)
+      for (int i = p; i >= level; --i)
+        {
+          const int    j = span - p + i;
+          const double a =
+            (arguments[level - 1] - u[j]) / (u[j + p - level + 1] - u[j]);
+          for (int c = 0; c < width; ++c)
+            coefficients[i * width + c] =
+              a * coefficients[i * width + c] +
+              (1. - a) * coefficients[(i - 1) * width + c];
+        }
+  }
 
   SplineRows
   insert_knots(SplineRows spline, std::vector<double> new_knots)
@@ -131,7 +129,10 @@ namespace ephyra::splines
             for (int j = 0; j < q; ++j)
               if (chosen[j])
                 arguments.push_back(knots[i + 1 + j]);
-            blossom(spline, span, arguments, work);
+            work.assign(
+              spline.rows.begin() + static_cast<long>(span - p) * width,
+              spline.rows.begin() + static_cast<long>(span + 1) * width);
+            polar_form(spline.knots, span, arguments, width, work);
             for (int c = 0; c < width; ++c)
               result.rows[static_cast<std::size_t>(i) * width + c] +=
                 work[p * width + c];

@@ -31,6 +31,17 @@ namespace ephyra::splines
   SplineRows
   elevate_degree(const SplineRows &spline, int times);
 
+  /// Polar form (blossom) of the polynomial piece of a spline on the span
+  /// [u_span, u_{span+1}) at degree arguments. @p coefficients holds those of
+  /// the degree + 1 basis functions of the span, width numbers each; the last
+  /// row becomes the result, the others are overwritten.
+  void
+  polar_form(const KnotVector          &knots,
+             int                        span,
+             const std::vector<double> &arguments,
+             int                        width,
+             std::vector<double>       &coefficients);
+
   /// Knots that cut every element into n_parts of equal parametric length.
   std::vector<double>
   splitting_knots(const KnotVector &knots, int n_parts);
