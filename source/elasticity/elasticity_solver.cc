@@ -75,12 +75,12 @@ namespace ephyra::elasticity
                          linear_algebra::SparseMatrix &tangent) override
     {
       weight(x);
-      const auto result =
-        s.op->residual_and_tangent(u,
-                                   residual,
-                                   tangent,
-                                   s.alpha.alpha_f * s.alpha.beta * dt * dt,
-                                   s.alpha.alpha_m);
+      const auto result = s.op->residual_and_tangent(
+        u,
+        residual,
+        tangent,
+        s.alpha.alpha_f * s.alpha.beta * dt * dt,
+        s.alpha.alpha_m - s.alpha.alpha_f * load.inertia_ratio);
       if (load.added && mpi::rank(s.op->communicator()) == 0)
         {
           using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -91,7 +91,7 @@ namespace ephyra::elasticity
                 const int i = constraints.equation(static_cast<int>(row));
                 const int j =
                   constraints.equation(static_cast<int>(entry.col()));
-                if (i >= 0 && j >= 0)
+                if (i >= 0 && j >= 0 && s.pattern.contains(i, j))
                   tangent.add(i, j, -s.alpha.alpha_f * entry.value());
               }
         }
@@ -112,6 +112,13 @@ namespace ephyra::elasticity
         force.assign(x.size(), 0.);
       else
         force = load.constant;
+      if (load.inertia_ratio != 0.)
+        {
+          std::vector<double> scaled(x);
+          for (double &value : scaled)
+            value *= load.inertia_ratio;
+          s.op->add_inertia(scaled, force);
+        }
       if (!load.added)
         return;
       const Eigen::Map<const Eigen::VectorXd> acceleration(x.data(), x.size());
@@ -176,35 +183,21 @@ namespace ephyra::elasticity
   ElasticitySolver::~ElasticitySolver() = default;
 
   void
-  ElasticitySolver::allow_coupling(const std::vector<int> &unknowns)
+  ElasticitySolver::allow_coupling(linear_algebra::SparsityPattern allowed)
   {
-    coupled = unknowns;
+    coupling = std::move(allowed);
     newton.reset();
-  }
-
-  std::vector<int>
-  ElasticitySolver::side_unknowns(const std::vector<splines::Side> &sides) const
-  {
-    std::vector<int> unknowns;
-    for (const splines::Side side : sides)
-      for (const int point : op->patch().side_control_points(side))
-        for (int i = 0; i < 2; ++i)
-          unknowns.push_back(2 * point + i);
-    std::sort(unknowns.begin(), unknowns.end());
-    unknowns.erase(std::unique(unknowns.begin(), unknowns.end()),
-                   unknowns.end());
-    return unknowns;
   }
 
   void
   ElasticitySolver::make_newton()
   {
-    auto             pattern = op->sparsity_pattern();
-    std::vector<int> equations;
-    for (const int unknown : coupled)
-      if (const int i = op->get_constraints().equation(unknown); i >= 0)
-        equations.push_back(i);
-    pattern.add_element(equations);
+    pattern = op->sparsity_pattern();
+    for (int row = 0; row < coupling.n_rows(); ++row)
+      if (const int i = op->get_constraints().equation(row); i >= 0)
+        for (const int column : coupling.columns[row])
+          if (const int j = op->get_constraints().equation(column); j >= 0)
+            pattern.columns[i].push_back(j);
     pattern.compress();
     newton = std::make_unique<Newton>(
       prm.newton, pattern, op->communicator(), "effective mass of the body");
@@ -231,11 +224,13 @@ namespace ephyra::elasticity
                   "The initial displacement folds the body (determinant "
                     << evaluation.smallest_J << "); start from another one.");
     op->get_constraints().condense(residual);
-    auto pattern = op->sparsity_pattern();
-    pattern.compress();
+    auto mass_pattern = op->sparsity_pattern();
+    mass_pattern.compress();
     const MPI_Comm               comm = op->communicator();
     linear_algebra::SparseMatrix mass(
-      pattern, linear_algebra::preferred_storage(pattern, comm), comm);
+      mass_pattern,
+      linear_algebra::preferred_storage(mass_pattern, comm),
+      comm);
     mass.begin_assembly();
     op->add_mass(mass);
     mass.finish_assembly();
@@ -337,6 +332,14 @@ namespace ephyra::elasticity
     if (newton)
       newton->forget();
     repeated = false;
+  }
+
+  void
+  ElasticitySolver::synchronize(const MPI_Comm ranks)
+  {
+    for (Level *l : {&level, &next})
+      for (std::vector<double> *x : {&l->u, &l->v, &l->a, &l->f, &l->gamma})
+        mpi::broadcast(x->data(), x->size(), ranks);
   }
 
   void

@@ -39,6 +39,12 @@ namespace ephyra::linear_algebra
     return result;
   }
 
+  bool
+  SparsityPattern::contains(const int row, const int column) const
+  {
+    return std::binary_search(columns[row].begin(), columns[row].end(), column);
+  }
+
   SparseMatrix::SparseMatrix(const SparsityPattern &pattern,
                              const Storage          storage,
                              const MPI_Comm         comm)

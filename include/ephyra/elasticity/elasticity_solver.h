@@ -11,13 +11,16 @@
 namespace ephyra::elasticity
 {
   /// The load of the surroundings on a body at t^{n+1}, f = constant +
-  /// added * a^{n+1}: forces on the unknowns over the full revolution, N.
+  /// (added + inertia_ratio M) a^{n+1}: forces on the unknowns over the full
+  /// revolution, N.
   struct InterfaceLoad
   {
     /// 2 * point + component; empty: none.
     std::vector<double> constant;
     /// Minus the added mass, kg; only rows and columns of the wet surface.
     const Eigen::SparseMatrix<double, Eigen::RowMajor> *added = nullptr;
+    /// Of the mass of the surroundings that moves with the body to its own.
+    double inertia_ratio = 0.;
   };
 
   /// Coefficients of the generalised-alpha method for a spectral radius
@@ -64,12 +67,10 @@ namespace ephyra::elasticity
     ~ElasticitySolver();
 
     /// Unknowns that InterfaceLoad::added may couple with each other; call
-    /// before the first step where it is used.
+    /// before the first step where it is used. Entries elsewhere still act, but
+    /// the tangent does not see them.
     void
-    allow_coupling(const std::vector<int> &unknowns);
-    /// Unknowns on the given sides, in ascending order.
-    std::vector<int>
-    side_unknowns(const std::vector<splines::Side> &sides) const;
+    allow_coupling(linear_algebra::SparsityPattern pattern);
 
     /// Starts at time t (s) from a displacement and a velocity (m, m/s; empty:
     /// zero) with the acceleration that balances the forces there.
@@ -160,6 +161,10 @@ namespace ephyra::elasticity
     /// so that a run and its restart continue alike.
     void
     forget();
+    /// Both levels become those of the first rank: for a body that every rank
+    /// of @p ranks computes for itself; collective.
+    void
+    synchronize(MPI_Comm ranks);
     /// Level n, which level n+1 becomes as well when reading.
     void
     serialize(Archive &archive);
@@ -182,7 +187,8 @@ namespace ephyra::elasticity
     Parameters                          prm;
     GeneralizedAlpha                    alpha;
     std::unique_ptr<ElasticityOperator> op;
-    std::vector<int>                    coupled;
+    linear_algebra::SparsityPattern     coupling; ///< by InterfaceLoad::added
+    linear_algebra::SparsityPattern     pattern;  ///< of the tangent
     std::unique_ptr<Newton>             newton;
     Level                               level, next;
     double                              last_dt  = 0.; ///< of the last advance

@@ -31,6 +31,9 @@ namespace ephyra::linear_algebra
     /// Largest |row - column|.
     int
     half_bandwidth() const;
+    /// Whether the entry exists; rows sorted.
+    bool
+    contains(int row, int column) const;
   };
 
   /// A square sparse matrix distributed over ranks by rows. It lives in one of
