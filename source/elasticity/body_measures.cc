@@ -75,7 +75,8 @@ namespace ephyra::elasticity
 
   BodyMeasures
   ElasticityOperator::measures(const std::vector<double> &u,
-                               const std::vector<double> &v) const
+                               const std::vector<double> &v,
+                               const std::vector<double> &gamma) const
   {
     double volume = 0., energy = 0.;
     double smallest = std::numeric_limits<double>::max(), largest = -smallest;
@@ -178,6 +179,7 @@ namespace ephyra::elasticity
 
   PointFields
   ElasticityOperator::fields(const std::vector<double> &u,
+                             const std::vector<double> &gamma,
                              const double               theta1,
                              const double               theta2) const
   {

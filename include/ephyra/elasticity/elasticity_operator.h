@@ -141,8 +141,11 @@ namespace ephyra::elasticity
       return unit_force_norm;
     }
 
+    /// At the displacement, velocity and activation.
     BodyMeasures
-    measures(const std::vector<double> &u, const std::vector<double> &v) const;
+    measures(const std::vector<double> &u,
+             const std::vector<double> &v,
+             const std::vector<double> &gamma) const;
     /// Work that the muscle has done (J) when the activation went from
     /// @p gamma_old at @p u_old to @p gamma_new at @p u_new:
     /// -int (F_e^T P_e) : (dF_a F_a^-1) by the midpoint rule.
@@ -152,7 +155,10 @@ namespace ephyra::elasticity
                 const std::vector<double> &u_new,
                 const std::vector<double> &gamma_new) const;
     PointFields
-    fields(const std::vector<double> &u, double theta1, double theta2) const;
+    fields(const std::vector<double> &u,
+           const std::vector<double> &gamma,
+           double                     theta1,
+           double                     theta2) const;
 
   private:
     Evaluation

@@ -133,7 +133,12 @@ namespace ephyra::elasticity
     BodyMeasures
     measures() const
     {
-      return op->measures(next.u, next.v);
+      return op->measures(next.u, next.v, next.gamma);
+    }
+    PointFields
+    fields(const double theta1, const double theta2) const
+    {
+      return op->fields(next.u, next.gamma, theta1, theta2);
     }
     /// Work done by the muscle in the last advance, J.
     double

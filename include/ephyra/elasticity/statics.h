@@ -59,6 +59,16 @@ namespace ephyra::elasticity
     {
       return u;
     }
+    PointFields
+    fields(const double theta1, const double theta2) const
+    {
+      return op.fields(u, op.activation(), theta1, theta2);
+    }
+    BodyMeasures
+    measures() const
+    {
+      return op.measures(u, std::vector<double>(u.size(), 0.), op.activation());
+    }
     ElasticityOperator &
     body()
     {

@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(thick_tube_small_strain)
           }
         return l2_error(patch, solver.displacement(), lame_tube);
       },
-      degree == 2 ? 4 : (degree == 3 ? 16 : 8),
+      degree == 2 ? 4 : 16,
       degree,
       "thick tube");
 }
@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(hollow_sphere_small_strain)
           }
         return l2_error(patch, solver.displacement(), lame_sphere);
       },
-      degree == 2 ? 4 : (degree == 3 ? 16 : 8),
+      degree == 2 ? 4 : 16,
       degree,
       "hollow sphere");
 }
@@ -269,8 +269,7 @@ BOOST_AUTO_TEST_CASE(uniaxial_tension_of_a_rod)
   const auto radius = value(patch, solver.displacement(), .4, 1.);
   BOOST_TEST(1. + radius.r / .3 == .8182035373,
              boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(solver.body().fields(solver.displacement(), .4, .6).cauchy[3] ==
-               1255.66278,
+  BOOST_TEST(solver.fields(.4, .6).cauchy[3] == 1255.66278,
              boost::test_tools::tolerance(1e-8));
 }
 
