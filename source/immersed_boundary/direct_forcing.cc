@@ -30,8 +30,9 @@ namespace ephyra::immersed_boundary
 
       explicit MarkersOfNode(const std::size_t n_entries)
       {
+        // Nodes are shared by many markers: room for all is more than enough.
         std::size_t size = 16;
-        while (size < 2 * n_entries)
+        while (size <= n_entries)
           size *= 2;
         key.assign(size, -1);
         head.assign(size, -1);
@@ -114,9 +115,11 @@ namespace ephyra::immersed_boundary
 
     for (int l = 0; l < n; ++l)
       {
-        const double eta = mls.cell_size(m.r[l], m.y[l], m.n_r[l], m.n_y[l]);
-        const double r   = m.r[l] - parameters.inward_shift * eta * m.n_r[l];
-        const double y   = m.y[l] - parameters.inward_shift * eta * m.n_y[l];
+        MovingLeastSquares::Line rc = mls.r_centres(m.r[l]);
+        MovingLeastSquares::Line yc = mls.y_centres(m.y[l]);
+        const double eta            = mls.cell_size(rc, yc, m.n_r[l], m.n_y[l]);
+        const double r = m.r[l] - parameters.inward_shift * eta * m.n_r[l];
+        const double y = m.y[l] - parameters.inward_shift * eta * m.n_y[l];
         EphyraThrowIf(!mls.contains(r, y),
                       DivergedError,
                       "The forcing point ("
@@ -127,12 +130,13 @@ namespace ephyra::immersed_boundary
         const double shell = r * m.length[l] * eta;
         w[l]               = 2. * M_PI * shell;
 
-        const MovingLeastSquares::Line rf = mls.r_faces(r),
-                                       rc = mls.r_centres(r);
-        const MovingLeastSquares::Line yf = mls.y_faces(y),
-                                       yc = mls.y_centres(y);
-        nodes[0][l].phi                   = MovingLeastSquares::value(rf, yc);
-        nodes[1][l].phi                   = MovingLeastSquares::value(rc, yf);
+        if (parameters.inward_shift > 0)
+          {
+            rc = mls.r_centres(r);
+            yc = mls.y_centres(y);
+          }
+        nodes[0][l].phi = MovingLeastSquares::value(mls.r_faces(r), yc);
+        nodes[1][l].phi = MovingLeastSquares::value(rc, mls.y_faces(y));
         for (int c = 0; c < 2; ++c)
           scale[c][l] = set_spreading(c, shell, nodes[c][l]);
       }
@@ -195,6 +199,9 @@ namespace ephyra::immersed_boundary
     std::vector<int>    start{0}, column, touched;
     std::vector<double> value, work(n, 0.);
     std::vector<char>   seen(n, 0);
+    start.reserve(n + 1);
+    column.reserve(16 * static_cast<std::size_t>(n));
+    value.reserve(16 * static_cast<std::size_t>(n));
     for (int l = 0; l < n; ++l)
       {
         const Stencil &s = nodes[component][l].phi;

@@ -202,8 +202,8 @@ namespace ephyra::immersed_boundary
   }
 
   double
-  MovingLeastSquares::cell_size(const double r,
-                                const double y,
+  MovingLeastSquares::cell_size(const Line  &r_centres,
+                                const Line  &y_centres,
                                 const double n_r,
                                 const double n_y) const
   {
@@ -213,7 +213,7 @@ namespace ephyra::immersed_boundary
         width += l.weight[i] * g.width[l.index[i]];
       return width;
     };
-    return std::hypot(n_r * mean(the_grid->r, r_centres(r)),
-                      n_y * mean(the_grid->y, y_centres(y)));
+    return std::hypot(n_r * mean(the_grid->r, r_centres),
+                      n_y * mean(the_grid->y, y_centres));
   }
 } // namespace ephyra::immersed_boundary

@@ -3,6 +3,8 @@
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/parameter_handler.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace ephyra::immersed_boundary
@@ -23,6 +25,16 @@ namespace ephyra::immersed_boundary
         default:
           return spheroid_outline(p.radius, p.radius, p.name);
         }
+    }
+
+    /// Of the control points, which lie on the surface or its tangents there.
+    double
+    largest_section(const Outline &outline)
+    {
+      double r = 0;
+      for (const splines::Point &p : outline.control_points)
+        r = std::max(r, p.r);
+      return M_PI * r * r;
     }
   } // namespace
 
@@ -78,6 +90,14 @@ namespace ephyra::immersed_boundary
                       "rigid body, or integrated after the projection, which "
                       "costs more and holds for light bodies too. Automatic "
                       "measures below 1.2 times the density of the fluid.");
+    prm.declare_entry("Reference velocity",
+                      "0 m/s",
+                      patterns::Double("m/s", 0.),
+                      "Velocity of the drag coefficients; 0: none are given.");
+    prm.declare_entry("Reference area",
+                      "0 m^2",
+                      patterns::Double("m^2", 0.),
+                      "Area of the drag coefficients; 0: largest section.");
   }
 
   void
@@ -95,17 +115,19 @@ namespace ephyra::immersed_boundary
       {"automatic", InteriorFluid::automatic},
       {"rigid", InteriorFluid::rigid},
       {"measured", InteriorFluid::measured}};
-    shape       = shapes.at(prm.get("Shape"));
-    radius      = prm.get_double("Radius");
-    half_length = prm.get_double("Half length");
-    core_radius = prm.get_double("Core radius");
-    thickness   = prm.get_double("Thickness");
-    centre_y    = prm.get_double("Centre");
-    motion      = motions.at(prm.get("Motion"));
-    velocity    = prm.get("Velocity");
-    density     = prm.get_double("Density");
-    gravity     = prm.get_double("Gravity");
-    interior    = interiors.at(prm.get("Interior fluid"));
+    shape              = shapes.at(prm.get("Shape"));
+    radius             = prm.get_double("Radius");
+    half_length        = prm.get_double("Half length");
+    core_radius        = prm.get_double("Core radius");
+    thickness          = prm.get_double("Thickness");
+    centre_y           = prm.get_double("Centre");
+    motion             = motions.at(prm.get("Motion"));
+    velocity           = prm.get("Velocity");
+    density            = prm.get_double("Density");
+    gravity            = prm.get_double("Gravity");
+    interior           = interiors.at(prm.get("Interior fluid"));
+    reference_velocity = prm.get_double("Reference velocity");
+    reference_area     = prm.get_double("Reference area");
   }
 
   RigidBody::RigidBody(const Parameters &parameters)
@@ -118,6 +140,8 @@ namespace ephyra::immersed_boundary
     , outline(std::move(outline_in))
     , volume(enclosed(outline.curves, control_vector(outline)).volume)
     , mass(parameters.density * volume)
+    , reference_area(parameters.reference_area > 0 ? parameters.reference_area
+                                                   : largest_section(outline))
     , position(parameters.centre_y)
     , velocity_law(parameters.velocity, {"t"})
   {

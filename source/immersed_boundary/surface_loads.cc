@@ -111,7 +111,8 @@ namespace ephyra::immersed_boundary
         Probe       &probe = probes[l];
         const double n_r = m.n_r[l], n_y = m.n_y[l];
         probe.h =
-          parameters.probe_length * mls.cell_size(m.r[l], m.y[l], n_r, n_y);
+          parameters.probe_length *
+          mls.cell_size(mls.r_centres(m.r[l]), mls.y_centres(m.y[l]), n_r, n_y);
         int halves = 0;
         while (halves < largest_halves &&
                !valid(m.r[l] + probe.h * n_r, m.y[l] + probe.h * n_y))

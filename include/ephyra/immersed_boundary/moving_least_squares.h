@@ -68,9 +68,13 @@ namespace ephyra::immersed_boundary
     contains(double r, double y) const;
 
     /// Local width of the cells along the unit vector (n_r, n_y): the root of
-    /// (n_r Delta_r)^2 + (n_y Delta_y)^2, interpolated.
+    /// (n_r Delta_r)^2 + (n_y Delta_y)^2, interpolated at a point given by its
+    /// shape functions on the centres.
     double
-    cell_size(double r, double y, double n_r, double n_y) const;
+    cell_size(const Line &r_centres,
+              const Line &y_centres,
+              double      n_r,
+              double      n_y) const;
 
     const fluid::StaggeredGrid &
     grid() const

@@ -56,6 +56,10 @@ namespace ephyra::immersed_boundary
       double        density     = 1000;
       double        gravity     = -9.81; ///< along y
       InteriorFluid interior    = InteriorFluid::automatic;
+      /// For drag coefficients, left out of the output at velocity 0; the
+      /// area 0 is that of the largest section.
+      double reference_velocity = 0;
+      double reference_area     = 0;
 
       static void
       declare(ParameterHandler &prm);
@@ -71,8 +75,9 @@ namespace ephyra::immersed_boundary
 
     const Parameters parameters;
     const Outline    outline;
-    const double     volume; ///< exact, m^3
-    const double     mass;   ///< kg
+    const double     volume;         ///< exact, m^3
+    const double     mass;           ///< kg
+    const double     reference_area; ///< m^2
 
     double position;         ///< of the reference point, y in m
     double velocity     = 0; ///< m/s
