@@ -45,10 +45,12 @@ namespace ephyra::immersed_boundary
                       patterns::Integer(1, 1000),
                       "Number of forcing sweeps.");
     prm.declare_entry("Inward shift",
-                      "0",
+                      "0.25",
                       patterns::Double("", 0., 1.),
                       "Distance by which the forcing points are drawn into the "
-                      "body along the normal, over the local cell size.");
+                      "body along the normal, over the local cell size. The "
+                      "spread forcing moves the wall that the flow sees out by "
+                      "about a quarter of a cell.");
     prm.declare_entry("Probe length",
                       "1.5",
                       patterns::Double("", 0.5, 5.),
@@ -63,10 +65,11 @@ namespace ephyra::immersed_boundary
                       "extrapolated from one and two probe lengths.");
     prm.declare_entry("Friction",
                       "quadratic",
-                      patterns::Selection("one-point|quadratic"),
+                      patterns::Selection("one-point|quadratic|extrapolated"),
                       "Wall friction from the velocity gradient at the probe, "
-                      "or from a parabola through the wall and the points at "
-                      "one and two probe lengths.");
+                      "from a parabola through the wall and the points at one "
+                      "and two probe lengths, or from one through the points "
+                      "at one, two and three probe lengths.");
   }
 
   void
@@ -89,7 +92,9 @@ namespace ephyra::immersed_boundary
     wall_pressure              = pressure == "probe" ? WallPressure::probe
                                  : pressure == "acceleration" ? WallPressure::acceleration
                                                               : WallPressure::linear;
-    friction = prm.get("Friction") == "quadratic" ? FrictionFormula::quadratic
-                                                  : FrictionFormula::one_point;
+    const std::string formula  = prm.get("Friction");
+    friction = formula == "one-point"   ? FrictionFormula::one_point
+               : formula == "quadratic" ? FrictionFormula::quadratic
+                                        : FrictionFormula::extrapolated;
   }
 } // namespace ephyra::immersed_boundary

@@ -4,6 +4,7 @@
 #include "ephyra/base/log.h"
 #include "ephyra/base/mpi.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -12,7 +13,7 @@ namespace ephyra::immersed_boundary
 {
   namespace
   {
-    constexpr int n_sums = 6; ///< two of the pressure, four of the velocity
+    constexpr int n_sums = 8; ///< two of the pressure, three of each velocity
     constexpr int largest_halves = 4;
 
     /// Finds whether a point lies just below some part of the surface: the
@@ -129,31 +130,33 @@ namespace ephyra::immersed_boundary
                            "body; end the run earlier or refine the grid.");
         n_shortened += halves > 0;
 
-        const double r1 = m.r[l] + probe.h * n_r, y1 = m.y[l] + probe.h * n_y;
-        const Line   rc = mls.r_centres(r1), yc = mls.y_centres(y1);
-        const Line   rf = mls.r_faces(r1), yf = mls.y_faces(y1);
-        const double r2 = r1 + probe.h * n_r, y2 = y1 + probe.h * n_y;
-        probe.has_second = valid(r2, y2);
-        probe.p.fill(MovingLeastSquares::value(rc, yc));
-        Line rf2 = rf, rc2 = rc, yf2 = yf, yc2 = yc;
-        if (probe.has_second)
+        for (int k = 0; k < 3; ++k)
           {
-            rf2        = mls.r_faces(r2);
-            rc2        = mls.r_centres(r2);
-            yf2        = mls.y_faces(y2);
-            yc2        = mls.y_centres(y2);
-            probe.p[1] = MovingLeastSquares::value(rc2, yc2);
+            const double distance = (k + 1) * probe.h;
+            const double r        = m.r[l] + distance * n_r;
+            const double y        = m.y[l] + distance * n_y;
+            if (k > 0 && !valid(r, y))
+              break;
+            probe.n_points = k + 1;
+            const Line rc = mls.r_centres(r), yc = mls.y_centres(y);
+            const Line rf = mls.r_faces(r), yf = mls.y_faces(y);
+            if (k < 2)
+              probe.p[k] = MovingLeastSquares::value(rc, yc);
+            if (parameters.friction != FrictionFormula::one_point)
+              {
+                probe.v[0][k] = MovingLeastSquares::value(rf, yc);
+                probe.v[1][k] = MovingLeastSquares::value(rc, yf);
+              }
+            else if (k == 0)
+              {
+                probe.v[0] = {MovingLeastSquares::derivative_r(rf, yc),
+                              MovingLeastSquares::derivative_y(rf, yc),
+                              Stencil{}};
+                probe.v[1] = {MovingLeastSquares::derivative_r(rc, yf),
+                              MovingLeastSquares::derivative_y(rc, yf),
+                              Stencil{}};
+              }
           }
-        if (parameters.friction == FrictionFormula::one_point)
-          probe.v = {MovingLeastSquares::derivative_r(rf, yc),
-                     MovingLeastSquares::derivative_y(rf, yc),
-                     MovingLeastSquares::derivative_r(rc, yf),
-                     MovingLeastSquares::derivative_y(rc, yf)};
-        else
-          probe.v = {MovingLeastSquares::value(rf, yc),
-                     MovingLeastSquares::value(rf2, yc2),
-                     MovingLeastSquares::value(rc, yf),
-                     MovingLeastSquares::value(rc2, yf2)};
       }
     if (before == 0 && n_shortened > 0)
       log().warning(std::to_string(n_shortened) +
@@ -173,13 +176,17 @@ namespace ephyra::immersed_boundary
     sums.resize(n_sums * n);
     for (int l = 0; l < n; ++l)
       {
-        double      *s     = sums.data() + n_sums * l;
-        const Probe &probe = probes[l];
-        for (int k = 0; k < 2; ++k)
+        double      *s      = sums.data() + n_sums * l;
+        const Probe &probe  = probes[l];
+        const bool gradient = parameters.friction == FrictionFormula::one_point;
+        const int  n_v      = gradient ? 2 : probe.n_points;
+        std::fill(s, s + n_sums, 0.);
+        for (int k = 0; k < std::min(2, probe.n_points); ++k)
+          s[k] = apply(probe.p[k], pressure, begin, end);
+        for (int k = 0; k < n_v; ++k)
           {
-            s[k]     = apply(probe.p[k], pressure, begin, end);
-            s[2 + k] = apply(probe.v[k], velocity.r, begin, end_of_faces);
-            s[4 + k] = apply(probe.v[2 + k], velocity.y, begin, end);
+            s[2 + k] = apply(probe.v[0][k], velocity.r, begin, end_of_faces);
+            s[5 + k] = apply(probe.v[1][k], velocity.y, begin, end);
           }
       }
     mpi::sum_in_place(sums, grid.communicator());
@@ -192,26 +199,30 @@ namespace ephyra::immersed_boundary
         const double *s   = sums.data() + n_sums * l;
         const double  h   = probes[l].h;
         const double  n_r = m.n_r[l], n_y = m.n_y[l];
-        const bool    two = probes[l].has_second;
-        p_wall[l]         = s[0];
-        if (two && parameters.wall_pressure == WallPressure::linear)
+        const int     points = probes[l].n_points;
+        p_wall[l]            = s[0];
+        if (points > 1 && parameters.wall_pressure == WallPressure::linear)
           p_wall[l] = 2 * s[0] - s[1];
         else if (parameters.wall_pressure != WallPressure::probe)
           p_wall[l] += density * h * (m.a_r[l] * n_r + m.a_y[l] * n_y);
 
-        double L_rr = s[2], L_ry = s[3], L_yr = s[4], L_yy = s[5];
-        if (parameters.friction == FrictionFormula::quadratic)
+        double L_rr = s[2], L_ry = s[3], L_yr = s[5], L_yy = s[6];
+        if (parameters.friction != FrictionFormula::one_point)
           {
-            double g_r = (s[2] - m.v_r[l]) / h, g_y = (s[4] - m.v_y[l]) / h;
-            if (two)
-              {
-                g_r = (-3 * m.v_r[l] + 4 * s[2] - s[3]) / (2 * h);
-                g_y = (-3 * m.v_y[l] + 4 * s[4] - s[5]) / (2 * h);
-              }
-            L_rr = g_r * n_r + m.dv_r_ds[l] * m.t_r[l];
-            L_ry = g_r * n_y + m.dv_r_ds[l] * m.t_y[l];
-            L_yr = g_y * n_r + m.dv_y_ds[l] * m.t_r[l];
-            L_yy = g_y * n_y + m.dv_y_ds[l] * m.t_y[l];
+            const auto slope = [&](const double wall, const double *v) {
+              if (points == 3 &&
+                  parameters.friction == FrictionFormula::extrapolated)
+                return (-5 * v[0] + 8 * v[1] - 3 * v[2]) / (2 * h);
+              if (points >= 2)
+                return (-3 * wall + 4 * v[0] - v[1]) / (2 * h);
+              return (v[0] - wall) / h;
+            };
+            const double g_r = slope(m.v_r[l], s + 2);
+            const double g_y = slope(m.v_y[l], s + 5);
+            L_rr             = g_r * n_r + m.dv_r_ds[l] * m.t_r[l];
+            L_ry             = g_r * n_y + m.dv_r_ds[l] * m.t_y[l];
+            L_yr             = g_y * n_r + m.dv_y_ds[l] * m.t_r[l];
+            L_yy             = g_y * n_y + m.dv_y_ds[l] * m.t_y[l];
           }
         const double shear = L_ry + L_yr;
         t[l] = -p_wall[l] * n_r + viscosity * (2 * L_rr * n_r + shear * n_y);

@@ -25,8 +25,9 @@ namespace ephyra::immersed_boundary
   /// Friction at the wall from the velocity off the wall.
   enum class FrictionFormula
   {
-    one_point, ///< velocity gradient at the probe
-    quadratic  ///< parabola through the wall, h and 2h
+    one_point,   ///< velocity gradient at the probe
+    quadratic,   ///< parabola through the wall, h and 2h
+    extrapolated ///< parabola through h, 2h and 3h
   };
 
   /// Pressure at the wall from the pressure off the wall.
@@ -49,7 +50,7 @@ namespace ephyra::immersed_boundary
 
     ForcingSolver forcing_solver = ForcingSolver::sweeps;
     int           forcing_sweeps = 3;
-    double        inward_shift   = 0.;
+    double        inward_shift   = 0.25;
 
     double          probe_length  = 1.5;
     WallPressure    wall_pressure = WallPressure::acceleration;

@@ -16,15 +16,17 @@ namespace ephyra::immersed_boundary
   ///   p(h) + rho h a.n        `acceleration`: the momentum equation at a wall
   ///                           with acceleration a, friction left out,
   ///   2 p(h) - p(2h)          `linear`.
-  /// The viscous traction is mu (L + L^T) n with the velocity gradient L either
-  /// at the probe (`one_point`), or at the wall, L = (dv/dn) n^T + (dV/ds) t^T,
-  /// with dV/ds of the wall and a parabola through the wall, h and 2h
-  /// (`quadratic`),
-  ///   dv/dn = (-3 V + 4 v(h) - v(2h)) / (2h).
+  /// The viscous traction is mu (L + L^T) n with the velocity gradient L at
+  /// the probe (`one_point`), or at the wall, L = (dv/dn) n^T + (dV/ds) t^T with
+  /// dV/ds of the wall and
+  ///   dv/dn = (-3 V + 4 v(h) - v(2h)) / (2h)          `quadratic`,
+  ///   dv/dn = (-5 v(h) + 8 v(2h) - 3 v(3h)) / (2h)    `extrapolated`,
+  /// the slopes at the wall of parabolas through the wall and two points, or
+  /// through three points beyond the zone over which the forcing is spread.
   /// A probe that would lie outside of the grid or in a body is drawn towards
   /// the wall by halves (counted; see n_shortened_probes()); where only the
-  /// point at 2h does, h alone is used: the difference from the wall for the
-  /// friction, `acceleration` for the pressure.
+  /// farther points do, the formulas with fewer points are used: `quadratic`,
+  /// then the difference between h and the wall; `acceleration`.
   class SurfaceLoads
   {
   public:
@@ -86,10 +88,11 @@ namespace ephyra::immersed_boundary
   private:
     struct Probe
     {
-      std::array<Stencil, 2> p; ///< at h and 2h
-      std::array<Stencil, 4> v; ///< see source
       double                 h;
-      bool                   has_second;
+      int                    n_points; ///< at h, 2h, 3h that can be used
+      std::array<Stencil, 2> p;
+      /// Of each component: values at the points, or derivatives by r and y.
+      std::array<std::array<Stencil, 3>, 2> v;
     };
 
     MovingLeastSquares  mls;

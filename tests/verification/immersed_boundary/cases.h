@@ -13,17 +13,17 @@ namespace ephyra::test
   /// A flow with rigid bodies.
   struct RigidCase
   {
-    RigidCase(const fluid::FlowParameters                                &flow_in,
-              const std::vector<immersed_boundary::RigidBody::Parameters> &bodies,
-              const immersed_boundary::Parameters &parameters = {})
+    RigidCase(
+      const fluid::FlowParameters                                 &flow_in,
+      const std::vector<immersed_boundary::RigidBody::Parameters> &bodies,
+      const immersed_boundary::Parameters &parameters = {})
       : flow(flow_in, MPI_COMM_WORLD)
     {
       std::vector<std::unique_ptr<immersed_boundary::RigidBody>> made;
       for (const auto &b : bodies)
         made.push_back(std::make_unique<immersed_boundary::RigidBody>(b));
-      rigid = std::make_unique<immersed_boundary::RigidFlow>(flow,
-                                                             std::move(made),
-                                                             parameters);
+      rigid = std::make_unique<immersed_boundary::RigidFlow>(
+        flow, std::move(made), parameters);
     }
 
     void
@@ -61,15 +61,13 @@ namespace ephyra::test
     p.grid.r.breakpoints = {0., 0.75, outer};
     p.grid.r.spacings    = {h, h, h + 0.12 * (outer - 0.75)};
     p.grid.y.breakpoints = {-upstream, -0.75, 1., downstream};
-    p.grid.y.spacings    = {h + 0.12 * (upstream - 0.75),
-                            h,
-                            h,
-                            h + 0.06 * (downstream - 1.)};
-    p.lower.kind               = fluid::SideKind::velocity;
-    p.lower.axial_velocity     = "1";
-    p.upper.kind               = fluid::SideKind::outflow;
-    p.outer.kind               = fluid::SideKind::free_slip;
-    p.initial_axial_velocity   = "1";
+    p.grid.y.spacings    = {
+         h + 0.12 * (upstream - 0.75), h, h, h + 0.06 * (downstream - 1.)};
+    p.lower.kind             = fluid::SideKind::velocity;
+    p.lower.axial_velocity   = "1";
+    p.upper.kind             = fluid::SideKind::outflow;
+    p.outer.kind             = fluid::SideKind::free_slip;
+    p.initial_axial_velocity = "1";
     return p;
   }
 
