@@ -1,0 +1,270 @@
+#include "ephyra/electrophysiology/mnn_neuron.h"
+
+#include "ephyra/base/exceptions.h"
+#include "ephyra/base/parameter_handler.h"
+#include "ephyra/electrophysiology/vector_math.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ephyra::electrophysiology
+{
+  namespace
+  {
+    constexpr double mV_per_V = 1e3;
+    constexpr double ms_per_s = 1e3;
+
+    /// a^x b^y for a, b > 0. Open probabilities of resting gates are tiny but
+    /// never zero; the floor keeps the logarithm off subnormal numbers.
+    inline double
+    power_product(double a, const double x, double b, const double y)
+    {
+      a = a < 1e-300 ? 1e-300 : a;
+      b = b < 1e-300 ? 1e-300 : b;
+      return vector_math::exp(x * vector_math::log(a) +
+                              y * vector_math::log(b));
+    }
+
+    struct Entry
+    {
+      const char *name;
+      double MnnNeuron::Parameters::*member;
+      const char                    *unit;       ///< SI
+      const char                    *inner_unit; ///< of the member
+      double                         inner_per_si;
+      const char                    *text;
+    };
+    const Entry entries[] = {
+      {"Capacitance", &MnnNeuron::Parameters::capacitance, "F", "pF", 1e12,
+       "Capacitance of the cell membrane, to which the conductances belong."},
+      {"Conductance I", &MnnNeuron::Parameters::g_I, "S", "nS", 1e9,
+       "Peak conductance of the transient inward current."},
+      {"Conductance FT", &MnnNeuron::Parameters::g_FT, "S", "nS", 1e9,
+       "Peak conductance of the fast transient outward current."},
+      {"Conductance ST", &MnnNeuron::Parameters::g_ST, "S", "nS", 1e9,
+       "Peak conductance of the slow transient outward current."},
+      {"Conductance SS", &MnnNeuron::Parameters::g_SS, "S", "nS", 1e9,
+       "Peak conductance of the steady-state outward current."},
+      {"Conductance L", &MnnNeuron::Parameters::g_L, "S", "nS", 1e9,
+       "Conductance of the leakage."},
+      {"Reversal potential I", &MnnNeuron::Parameters::E_I, "V", "mV", 1e3,
+       "Reversal potential of the inward current."},
+      {"Reversal potential O", &MnnNeuron::Parameters::E_O, "V", "mV", 1e3,
+       "Reversal potential of the outward currents."},
+      {"Reversal potential L", &MnnNeuron::Parameters::E_L, "V", "mV", 1e3,
+       "Reversal potential of the leakage."},
+      {"Reversal potential synapse", &MnnNeuron::Parameters::E_syn, "V", "mV",
+       1e3, "Above this potential the synaptic current vanishes."}};
+  } // namespace
+
+  void
+  MnnNeuron::Parameters::declare(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Jellyfish neuron");
+    const Parameters                defaults;
+    for (const Entry &entry : entries)
+      {
+        std::ostringstream value;
+        value << defaults.*entry.member << ' ' << entry.inner_unit;
+        const bool is_potential = std::string(entry.unit) == "V";
+        prm.declare_entry(entry.name,
+                          value.str(),
+                          is_potential ? patterns::Double(entry.unit) :
+                                         patterns::Positive(entry.unit),
+                          entry.text);
+      }
+  }
+
+  void
+  MnnNeuron::Parameters::parse(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Jellyfish neuron");
+    for (const Entry &entry : entries)
+      this->*entry.member = prm.get_double(entry.name) * entry.inner_per_si;
+  }
+
+  MnnNeuron::MnnNeuron(const Parameters &parameters)
+    : prm(parameters)
+    , v_rest(0)
+  {
+    const double no_synapse = 0;
+    const auto   f          = [&](const double v) {
+      double gates[n_all_gates], rate_of_v;
+      steady_gates(v, gates);
+      rate(1, &v, gates, 1, &no_synapse, &rate_of_v);
+      return rate_of_v;
+    };
+    // The lowest zero of f, by bisection of the first bracket.
+    double       low  = -0.12;
+    const double step = 0.0005;
+    while (low < 0 && !(f(low) > 0 && f(low + step) <= 0))
+      low += step;
+    EphyraThrowIf(low >= 0,
+                  InputError,
+                  "The jellyfish neuron has no resting potential between -120 "
+                  "and 0 mV with these conductances and reversal potentials; "
+                  "restore their default values.");
+    double high = low + step;
+    for (int i = 0; i < 60; ++i)
+      {
+        const double middle          = 0.5 * (low + high);
+        (f(middle) > 0 ? low : high) = middle;
+      }
+    v_rest = 0.5 * (low + high);
+  }
+
+  std::vector<std::string>
+  MnnNeuron::gate_names() const
+  {
+    return {"G_a", "G_b", "G_c", "G_d", "G_e", "G_f", "G_g"};
+  }
+
+  int
+  MnnNeuron::n_gates() const
+  {
+    return n_all_gates;
+  }
+
+  double
+  MnnNeuron::rest_potential() const
+  {
+    return v_rest;
+  }
+
+  void
+  MnnNeuron::steady_gates(const double v, double *gates) const
+  {
+    for (int k = 0; k < n_all_gates; ++k)
+      gates[k] = 1. / (1. + std::exp((prm.gates[k].v_half - mV_per_V * v) /
+                                     prm.gates[k].rho));
+  }
+
+  void
+  MnnNeuron::rate(const int                  n_points,
+                  const double *__restrict__ v,
+                  const double *__restrict__ gates,
+                  const int                  stride,
+                  const double *__restrict__ synapse,
+                  double *__restrict__ f) const
+  {
+    const double *__restrict__ G_a = gates;
+    const double *__restrict__ G_b = gates + stride;
+    const double *__restrict__ G_c = gates + 2 * stride;
+    const double *__restrict__ G_d = gates + 3 * stride;
+    const double *__restrict__ G_e = gates + 4 * stride;
+    const double *__restrict__ G_f = gates + 5 * stride;
+    const double *__restrict__ G_g = gates + 6 * stride;
+
+    const auto  &gate  = prm.gates;
+    const double n_a   = gate[0].exponent, n_b = gate[1].exponent,
+                 n_c   = gate[2].exponent, n_d = gate[3].exponent,
+                 n_e   = gate[4].exponent, n_f = gate[5].exponent;
+    const double per_C = 1. / prm.capacitance; // nS/pF = 1/ms
+    const double I     = prm.g_I * per_C, FT = prm.g_FT * per_C,
+                 ST    = prm.g_ST * per_C, SS = prm.g_SS * per_C,
+                 L     = prm.g_L * per_C;
+    const double E_I   = prm.E_I, E_O = prm.E_O, E_L = prm.E_L,
+                 E_syn = prm.E_syn;
+
+    for (int i = 0; i < n_points; ++i)
+      {
+        const double u       = mV_per_V * v[i];
+        const double inward  = I * power_product(G_a[i], n_a, G_b[i], n_b);
+        const double outward = FT * power_product(G_c[i], n_c, G_d[i], n_d) +
+                               ST * power_product(G_e[i], n_e, G_f[i], n_f) +
+                               SS * G_g[i];
+        const double drive = E_syn - u > 0. ? E_syn - u : 0.;
+        // mV/ms = V/s; the synapse comes in 1/s.
+        f[i] = synapse[i] * drive * (1. / ms_per_s) - inward * (u - E_I) -
+               outward * (u - E_O) - L * (u - E_L);
+      }
+  }
+
+  void
+  MnnNeuron::advance_gates(const int                  n_points,
+                           const double *__restrict__ v,
+                           const double               dt,
+                           double *__restrict__ gates,
+                           const int                  stride) const
+  {
+    const double dt_ms = ms_per_s * dt;
+    for (int k = 0; k < n_all_gates; ++k)
+      {
+        double *__restrict__ G = gates + k * stride;
+        const double v_half    = prm.gates[k].v_half;
+        const double per_rho   = 1. / prm.gates[k].rho;
+        const double base_time = prm.gates[k].base_time;
+        const double amplitude = prm.gates[k].amplitude;
+        const double v_max     = prm.gates[k].v_max;
+        const double per_sigma = 1. / prm.gates[k].sigma;
+        for (int i = 0; i < n_points; ++i)
+          {
+            const double u = mV_per_V * v[i];
+            double       x = (v_half - u) * per_rho;
+            x              = x > 300. ? 300. : x; // keeps the product finite
+            const double y = (v_max - u) * per_sigma;
+            const double denominator = 1. + vector_math::exp(x);
+            const double tau = base_time + amplitude * vector_math::exp(-y * y);
+            // one division for both quotients
+            const double inverse = 1. / (denominator * tau);
+            const double G_inf   = inverse * tau;
+            const double z       = dt_ms * inverse * denominator;
+            // Runge-Kutta 4 of dG/dt = (G_inf - G)/tau
+            const double growth =
+              z * (1. - z * (1. / 2.) * (1. - z * (1. / 3.) * (1. - z * 0.25)));
+            G[i] += growth * (G_inf - G[i]);
+          }
+      }
+  }
+
+  std::vector<std::string>
+  MnnNeuron::current_names() const
+  {
+    return {"i_I", "i_FT", "i_ST", "i_SS", "i_L", "i_syn"};
+  }
+
+  void
+  MnnNeuron::currents(const double  v,
+                      const double *G,
+                      const double  synapse,
+                      double       *values) const
+  {
+    const double u = mV_per_V * v;
+    const auto   p = [&](const int k) {
+      return std::pow(G[k], prm.gates[k].exponent);
+    };
+    const double per_C = 1. / prm.capacitance;
+    values[0]          = prm.g_I * per_C * p(0) * p(1) * (u - prm.E_I);
+    values[1]          = prm.g_FT * per_C * p(2) * p(3) * (u - prm.E_O);
+    values[2]          = prm.g_ST * per_C * p(4) * p(5) * (u - prm.E_O);
+    values[3]          = prm.g_SS * per_C * p(6) * (u - prm.E_O);
+    values[4]          = prm.g_L * per_C * (u - prm.E_L);
+    values[5]          = -synapse / ms_per_s * std::max(prm.E_syn - u, 0.);
+  }
+
+  int
+  MnnNeuron::activation_gate() const
+  {
+    return 0;
+  }
+
+  bool
+  MnnNeuron::has_synapses() const
+  {
+    return true;
+  }
+
+  double
+  MnnNeuron::front_speed(const double kappa) const
+  {
+    // 47.5 cm/s at kappa = 1.3745e-5 m^2/s with the default parameters; speeds
+    // go with the root of the diffusivity.
+    return 0.475 * std::sqrt(kappa / 1.3745e-5);
+  }
+
+  double
+  MnnNeuron::front_width(const double kappa) const
+  {
+    return kappa / front_speed(kappa);
+  }
+} // namespace ephyra::electrophysiology
