@@ -267,4 +267,10 @@ namespace ephyra::electrophysiology
   {
     return kappa / front_speed(kappa);
   }
+
+  double
+  MnnNeuron::fastest_rate() const
+  {
+    return ms_per_s * 0.25 * prm.g_I / prm.capacitance;
+  }
 } // namespace ephyra::electrophysiology

@@ -2,6 +2,7 @@
 
 #include "ephyra/base/parameter_handler.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ephyra::electrophysiology
@@ -107,5 +108,11 @@ namespace ephyra::electrophysiology
   Nagumo::front_width(const double kappa) const
   {
     return std::sqrt(8. * kappa / prm.rate);
+  }
+
+  double
+  Nagumo::fastest_rate() const
+  {
+    return prm.rate * std::max(prm.threshold, 1. - prm.threshold);
   }
 } // namespace ephyra::electrophysiology

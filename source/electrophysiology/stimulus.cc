@@ -138,11 +138,10 @@ namespace ephyra::electrophysiology
   }
 
   std::array<std::vector<double>::const_iterator, 2>
-  Stimulus::epscs(const double t, const double dt) const
+  Stimulus::epscs(const double from, const double to) const
   {
-    return {{std::lower_bound(prm.epsc_times.begin(), prm.epsc_times.end(), t),
-             std::lower_bound(prm.epsc_times.begin(),
-                              prm.epsc_times.end(),
-                              t + dt)}};
+    const std::vector<double> &times = prm.epsc_times;
+    return {{std::lower_bound(times.begin(), times.end(), from),
+             std::lower_bound(times.begin(), times.end(), to)}};
   }
 } // namespace ephyra::electrophysiology

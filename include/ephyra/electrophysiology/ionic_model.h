@@ -70,5 +70,9 @@ namespace ephyra::electrophysiology
     front_speed(double kappa) const = 0;
     virtual double
     front_width(double kappa) const = 0;
+    /// Largest -df/dv during a spike, 1/s: the second-order Adams-Bashforth
+    /// method is stable for steps up to about its inverse.
+    virtual double
+    fastest_rate() const = 0;
   };
 } // namespace ephyra::electrophysiology

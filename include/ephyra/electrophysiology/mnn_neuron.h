@@ -104,6 +104,8 @@ namespace ephyra::electrophysiology
     front_speed(double kappa) const override;
     double
     front_width(double kappa) const override;
+    double
+    fastest_rate() const override;
 
   private:
     Parameters prm;

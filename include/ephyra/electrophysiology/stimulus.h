@@ -43,9 +43,9 @@ namespace ephyra::electrophysiology
     /// none is left).
     double
     next_event(double t) const;
-    /// The EPSCs with t <= time < t + dt are [first, last).
+    /// The EPSCs with from <= time < to are [first, last).
     std::array<std::vector<double>::const_iterator, 2>
-    epscs(double t, double dt) const;
+    epscs(double from, double to) const;
     const std::array<double, 2> &
     interval() const
     {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "ephyra/base/expression.h"
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace ephyra
+{
+  class ParameterHandler;
+}
+
+namespace ephyra::electrophysiology
+{
+  /// Condition at one end of the line: no flux, or the potential held for a
+  /// while.
+  struct BoundaryCondition
+  {
+    struct Parameters
+    {
+      bool        holds_potential = false;
+      std::string potential       = "-69e-3"; ///< V, formula in t
+      double      start           = 0;        ///< s
+      double      end = std::numeric_limits<double>::infinity(); ///< s
+
+      /// @p section is the name of the subsection.
+      static void
+      declare(ParameterHandler &prm, const std::string &section);
+      void
+      parse(ParameterHandler &prm, const std::string &section);
+    };
+
+    explicit BoundaryCondition(const Parameters &parameters);
+
+    /// Potential at the end of a step from t to t + dt, V, where the step lies
+    /// within the time of holding.
+    std::optional<double>
+    held_potential(double t, double dt) const;
+    /// First start or end of holding later than t, s; infinite without one.
+    double
+    next_event(double t) const;
+
+  private:
+    Parameters prm;
+    Expression potential;
+  };
+} // namespace ephyra::electrophysiology

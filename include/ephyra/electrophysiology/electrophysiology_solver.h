@@ -1,0 +1,267 @@
+#pragma once
+
+#include "ephyra/base/archive.h"
+#include "ephyra/base/step_status.h"
+#include "ephyra/electrophysiology/activation.h"
+#include "ephyra/electrophysiology/boundary_condition.h"
+#include "ephyra/electrophysiology/mnn_neuron.h"
+#include "ephyra/electrophysiology/monodomain_operator.h"
+#include "ephyra/electrophysiology/nagumo.h"
+#include "ephyra/electrophysiology/reaction.h"
+#include "ephyra/electrophysiology/stimulus.h"
+#include "ephyra/electrophysiology/synapses.h"
+
+#include <mpi.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ephyra::electrophysiology
+{
+  /// The monodomain equation on a line (or an isolated cell without one),
+  ///
+  ///   dv/dt = kappa lap v + f(v, G, s) + i_a/C_m,   kappa = D_0/C_m,
+  ///
+  /// eqs. (31), (68)-(75) of Nitti et al. 2023 (10.1016/j.apm.2023.08.003).
+  /// Diffusion by Crank-Nicolson, reaction by the second-order Adams-Bashforth
+  /// method (variable steps; started with one predictor-corrector step), i_a
+  /// by its mean over the step, gates by Runge-Kutta 4 with v frozen.
+  ///
+  /// Everything is replicated: each rank computes all of it, and the first
+  /// rank's state is copied to the others after each macro step.
+  class ElectrophysiologySolver
+  {
+  public:
+    enum class Model
+    {
+      jellyfish_neuron,
+      nagumo,
+      none ///< diffusion only
+    };
+    /// Potential that the gates of a step see.
+    enum class GatePotential
+    {
+      midpoint, ///< mean of old and new: second order
+      end       ///< the new one (the paper): first order
+    };
+
+    struct Parameters
+    {
+      Model                         model = Model::jellyfish_neuron;
+      MnnNeuron::Parameters         neuron;
+      Nagumo::Parameters            nagumo;
+      Synapses::Parameters          synapses;
+      Stimulus::Parameters          stimulus;
+      Activation::Parameters        activation;
+      BoundaryCondition::Parameters start; ///< end of the line at theta^1 = 0
+      BoundaryCondition::Parameters end;   ///< end of the line at theta^1 = 1
+
+      double conductivity = 1.3745e-8; ///< D_0, S/m
+      double capacitance  = 1e-3;      ///< C_m per volume, F/m^3
+      double time_step    = 5e-6;      ///< largest substep Delta t_e, s
+      /// Substep while nothing happens, s; 0: none.
+      double resting_time_step = 0;
+      /// What counts as nothing: max |dv/dt| for 1 ms, V/s.
+      double                      resting_rate = 0.02;
+      Placement                   placement    = Placement::greville_points;
+      GatePotential               gate_potential = GatePotential::midpoint;
+      MonodomainOperator::Mass    mass = MonodomainOperator::Mass::consistent;
+      MonodomainOperator::Measure measure =
+        MonodomainOperator::Measure::reference;
+      /// Relative change of the metric below which matrices are kept.
+      double metric_tolerance = 1e-3;
+      /// Initial potential in s = theta^1, V; empty: at rest.
+      std::string initial_potential;
+
+      /// In a subsection "Electrophysiology".
+      static void
+      declare(ParameterHandler &prm);
+      void
+      parse(ParameterHandler &prm);
+      double
+      diffusivity() const ///< kappa, m^2/s
+      {
+        return conductivity / capacitance;
+      }
+    };
+
+    /// On a line, already refined as the front needs it.
+    ElectrophysiologySolver(const Parameters             &parameters,
+                            const splines::NurbsPatch<1> &line,
+                            MPI_Comm                      comm);
+    /// An isolated cell: one point, no diffusion, never the release trigger.
+    ElectrophysiologySolver(const Parameters &parameters, MPI_Comm comm);
+
+    // --- deformation --------------------------------------------------------
+    /// theta^1 of the points where the metric is wanted.
+    const std::vector<double> &
+    metric_points() const
+    {
+      return monodomain.gauss_theta();
+    }
+    /// Covariant metric G_11 (m^2) and radius (m) of the deformed line there;
+    /// until the first call those of the reference line.
+    void
+    set_deformed_metric(const std::vector<double> &G11,
+                        const std::vector<double> &r);
+
+    // --- time ---------------------------------------------------------------
+    /// From t to t + dt in substeps of equal size up to the parameter.
+    StepStatus
+    advance(double t, double dt);
+    long long
+    n_substeps() const
+    {
+      return substeps;
+    }
+    bool
+    resting() const
+    {
+      return quiet_time >= quiet_time_needed;
+    }
+
+    // --- state --------------------------------------------------------------
+    int
+    n_control_points() const
+    {
+      return monodomain.n_unknowns();
+    }
+    /// Potential, control coefficients, V.
+    const std::vector<double> &
+    potential() const
+    {
+      return v;
+    }
+    const IonicModel *
+    ionic_model() const
+    {
+      return model.get();
+    }
+    /// Gate k, control coefficients.
+    void
+    gate(int k, std::vector<double> &coefficients) const;
+    /// Ionic and synaptic currents at one state point, A/m^3 of capacitance
+    /// C_m, in the order of ionic_model()->current_names().
+    std::vector<double>
+    currents(int point) const;
+    int
+    n_points() const ///< that carry gates and synapses
+    {
+      return reaction ? reaction->n_points() : 0;
+    }
+    /// Muscle activation at a time up to the current one, control coefficients
+    /// of the line; all zero without a gate that activates.
+    void
+    activation(double t, std::vector<double> &coefficients) const;
+    double
+    potential_at(double theta) const; ///< V
+    const Synapses *
+    synapse_state() const
+    {
+      return synapses ? &*synapses : nullptr;
+    }
+    const Activation *
+    activation_state() const
+    {
+      return muscle ? &*muscle : nullptr;
+    }
+    /// Replaces the potential, e.g. by an exact solution in theta^1.
+    void
+    set_potential(const std::function<double(double)> &potential);
+
+    /// Watches the upward crossings of a level (V) at a place; returns the
+    /// number of the probe. Call before the first step.
+    int
+    add_crossing_probe(double theta, double level);
+    /// Times of the crossings so far, s, interpolated inside the steps.
+    const std::vector<double> &
+    crossing_times(int probe) const
+    {
+      return probes[probe].times;
+    }
+
+    /// Empty where the mesh resolves a front; else what is wrong with it.
+    std::string
+    resolution_problem() const;
+
+    void
+    serialize(Archive &archive);
+
+  private:
+    struct Probe
+    {
+      int                 first;
+      std::vector<double> basis;
+      double              level;
+      std::vector<double> times;
+    };
+
+    void
+    initialize();
+    void
+    substep(double t, double dt);
+    void
+    prepare_matrix(double dt, bool hold_start, bool hold_end);
+    /// increment = solution of the linear system for the given reaction load.
+    void
+    solve_increment(double t, double dt, const std::vector<double> &reaction);
+    /// v by the increment, then gates and synapses.
+    void
+    advance_state(double t, double dt);
+    void
+    evaluate_load(std::vector<double> &load);
+    /// The reaction that counts in a step without a usable one before it: the
+    /// mean of now and of a predicted end.
+    void
+    predict_load(double t, double dt);
+    bool
+    blown_up() const;
+    void
+    record_probes(double t, double dt);
+    std::string
+    failure_reason(double t, double dt) const;
+    void
+    synchronize();
+
+    Parameters                  prm;
+    MPI_Comm                    comm;
+    std::unique_ptr<IonicModel> model;
+    MonodomainOperator          monodomain;
+    std::unique_ptr<Reaction>   reaction;
+    Stimulus                    stimulus;
+    BoundaryCondition           boundary_start, boundary_end;
+    std::optional<Synapses>     synapses;
+    std::optional<Activation>   muscle;
+    std::vector<Probe>          probes;
+    std::vector<double>         stimulus_load;
+    std::vector<int>            stimulated_points;
+
+    // State.
+    std::vector<double> v;             ///< control coefficients
+    std::vector<double> gates;         ///< gate k of point i at k n_points + i
+    std::vector<double> load;          ///< of the reaction, now
+    std::vector<double> previous_load; ///< one step ago
+    double              previous_dt = 0; ///< 0: no step yet
+    double              quiet_time  = 0;
+    double              epscs_given_until = -1;
+    long long           substeps    = 0;
+
+    // The linear system, for one step size and kind of ends.
+    linear_algebra::NarrowBandMatrix system_matrix;
+    linear_algebra::NarrowBandSolver system;
+    double                           system_dt    = 0; ///< 0: none
+    bool                             start_held   = false;
+    bool                             end_held     = false;
+
+    // Work space.
+    std::vector<double> increment, old_v, points_v, old_points_v, middle_v,
+      gates_backup, combined_load, no_synapses;
+    std::optional<Synapses>     synapses_backup;
+    mutable std::vector<double> point_values;
+
+    static constexpr double quiet_time_needed = 1e-3; ///< s
+  };
+} // namespace ephyra::electrophysiology

@@ -1,0 +1,115 @@
+// Entries of the parameter file for the electrophysiology solver.
+#include "ephyra/base/parameter_handler.h"
+#include "ephyra/electrophysiology/electrophysiology_solver.h"
+
+namespace ephyra::electrophysiology
+{
+  void
+  ElectrophysiologySolver::Parameters::declare(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Electrophysiology");
+    prm.declare_entry("Ionic model",
+                      "jellyfish neuron",
+                      patterns::Selection("jellyfish neuron|Nagumo|none"),
+                      "Reaction part of the monodomain equation.");
+    prm.declare_entry("Conductivity",
+                      "1.3745e-8 S/m",
+                      patterns::Double("S/m", 0.),
+                      "D_0. Only its ratio to the capacitance counts; the "
+                      "default gives 47.5 cm/s.");
+    prm.declare_entry("Capacitance",
+                      "1e-3 F/m^3",
+                      patterns::Positive("F/m^3"),
+                      "C_m, membrane capacitance per volume of tissue.");
+    prm.declare_entry("Time step",
+                      "5 us",
+                      patterns::Positive("s"),
+                      "Largest substep. The explicit ionic currents of the "
+                      "jellyfish neuron need less than about 10 us.");
+    prm.declare_entry("Resting time step",
+                      "0 s",
+                      patterns::Double("s", 0.),
+                      "Substep while nothing happens; 0: always the time step.");
+    prm.declare_entry("Resting rate",
+                      "0.02 V/s",
+                      patterns::Positive("V/s"),
+                      "The tissue rests where the potential has changed more "
+                      "slowly than this everywhere for 1 ms.");
+    prm.declare_entry(
+      "Placement",
+      "Greville points",
+      patterns::Selection(
+        "Greville points|control coefficients|quadrature points"),
+      "Where gates and ionic currents are computed.");
+    prm.declare_entry("Gate potential",
+                      "midpoint",
+                      patterns::Selection("midpoint|end"),
+                      "Potential that the gates see during a step: the mean of "
+                      "old and new (second order) or the new one (first "
+                      "order).");
+    prm.declare_entry("Mass matrix",
+                      "consistent",
+                      patterns::Selection("consistent|lumped"),
+                      "Matrix of the time derivative.");
+    prm.declare_entry("Measure",
+                      "reference",
+                      patterns::Selection("reference|deformed"),
+                      "Surface element of the integrals: of the undeformed or "
+                      "of the deformed line.");
+    prm.declare_entry("Metric tolerance",
+                      "1e-3",
+                      patterns::Double("", 0.),
+                      "Relative change of the deformed metric below which the "
+                      "matrices are kept.");
+    prm.declare_entry("Initial potential",
+                      "",
+                      patterns::Anything(),
+                      "Formula in s = theta^1, V; empty: the resting "
+                      "potential.");
+    MnnNeuron::Parameters::declare(prm);
+    Nagumo::Parameters::declare(prm);
+    Synapses::Parameters::declare(prm);
+    Stimulus::Parameters::declare(prm);
+    Activation::Parameters::declare(prm);
+    BoundaryCondition::Parameters::declare(prm, "Start of the line");
+    BoundaryCondition::Parameters::declare(prm, "End of the line");
+  }
+
+  void
+  ElectrophysiologySolver::Parameters::parse(ParameterHandler &prm)
+  {
+    const ParameterHandler::Section section(prm, "Electrophysiology");
+    const std::string               model_name = prm.get("Ionic model");
+    model = model_name == "Nagumo" ? Model::nagumo :
+            model_name == "none"   ? Model::none :
+                                     Model::jellyfish_neuron;
+    conductivity      = prm.get_double("Conductivity");
+    capacitance       = prm.get_double("Capacitance");
+    time_step         = prm.get_double("Time step");
+    resting_time_step = prm.get_double("Resting time step");
+    resting_rate      = prm.get_double("Resting rate");
+    const std::string place = prm.get("Placement");
+    placement               = place == "Greville points" ?
+                                Placement::greville_points :
+                              place == "quadrature points" ?
+                                Placement::quadrature_points :
+                                Placement::control_coefficients;
+    gate_potential = prm.get("Gate potential") == "end" ? GatePotential::end :
+                                                          GatePotential::midpoint;
+    mass    = prm.get("Mass matrix") == "lumped" ?
+                MonodomainOperator::Mass::lumped :
+                MonodomainOperator::Mass::consistent;
+    measure = prm.get("Measure") == "deformed" ?
+                MonodomainOperator::Measure::deformed :
+                MonodomainOperator::Measure::reference;
+    metric_tolerance  = prm.get_double("Metric tolerance");
+    initial_potential = prm.get("Initial potential");
+    neuron.parse(prm);
+    nagumo.parse(prm);
+    synapses.parse(prm);
+    stimulus.parse(prm);
+    activation.parse(prm);
+    start.parse(prm, "Start of the line");
+    end.parse(prm, "End of the line");
+  }
+} // namespace ephyra::electrophysiology

@@ -1,0 +1,503 @@
+#include "ephyra/electrophysiology/electrophysiology_solver.h"
+
+#include "ephyra/base/exceptions.h"
+#include "ephyra/base/mpi.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ephyra::electrophysiology
+{
+  namespace
+  {
+    std::unique_ptr<IonicModel>
+    make_model(const ElectrophysiologySolver::Parameters &prm)
+    {
+      switch (prm.model)
+        {
+          case ElectrophysiologySolver::Model::jellyfish_neuron:
+            return std::make_unique<MnnNeuron>(prm.neuron);
+          case ElectrophysiologySolver::Model::nagumo:
+            return std::make_unique<Nagumo>(prm.nagumo);
+          default:
+            return nullptr;
+        }
+    }
+  } // namespace
+
+  ElectrophysiologySolver::ElectrophysiologySolver(
+    const Parameters             &parameters,
+    const splines::NurbsPatch<1> &line,
+    MPI_Comm                      comm)
+    : prm(parameters)
+    , comm(comm)
+    , model(make_model(prm))
+    , monodomain(line, prm.mass, prm.measure)
+    , stimulus(prm.stimulus)
+    , boundary_start(prm.start)
+    , boundary_end(prm.end)
+    , stimulus_load(monodomain.interval_load(stimulus.interval()))
+  {
+    if (model)
+      reaction = make_reaction(prm.placement, monodomain, *model);
+    initialize();
+  }
+
+  ElectrophysiologySolver::ElectrophysiologySolver(const Parameters &parameters,
+                                                   MPI_Comm          comm)
+    : prm(parameters)
+    , comm(comm)
+    , model(make_model(prm))
+    , stimulus(prm.stimulus)
+    , boundary_start(prm.start)
+    , boundary_end(prm.end)
+    , stimulus_load(1, 1.)
+  {
+    EphyraThrowIf(!model,
+                  InputError,
+                  "An isolated cell without an ionic model has nothing to "
+                  "compute; choose an ionic model.");
+    prm.synapses.release = false;
+    reaction = make_reaction(Placement::greville_points, monodomain, *model);
+    initialize();
+  }
+
+  void
+  ElectrophysiologySolver::initialize()
+  {
+    const int n       = monodomain.n_unknowns();
+    const int n_state = n_points();
+    const double rest = model ? model->rest_potential() : 0.;
+    v.assign(n, rest);
+    increment.assign(n, 0.);
+    old_v.assign(n, 0.);
+    load.assign(n, 0.);
+    previous_load.assign(n, 0.);
+    combined_load.assign(n, 0.);
+    points_v.assign(n_state, rest);
+    old_points_v.assign(n_state, rest);
+    middle_v.assign(n_state, rest);
+    no_synapses.assign(n_state, 0.);
+    point_values.assign(n_state, 0.);
+    if (model)
+      {
+        std::vector<double> steady(model->n_gates());
+        model->steady_gates(rest, steady.data());
+        for (const double gate : steady)
+          gates.insert(gates.end(), n_state, gate);
+        if (model->has_synapses())
+          synapses.emplace(prm.synapses, prm.neuron.capacitance * 1e-12, n_state);
+        if (model->activation_gate() >= 0)
+          {
+            muscle.emplace(prm.activation, n_state, prm.stimulus.frequency);
+            muscle->initialize(&gates[static_cast<std::size_t>(
+                                        model->activation_gate()) *
+                                      n_state]);
+          }
+        for (int i = 0; i < n_state; ++i)
+          if (n == 1 || (reaction->theta()[i] >= stimulus.interval()[0] &&
+                         reaction->theta()[i] <= stimulus.interval()[1]))
+            stimulated_points.push_back(i);
+      }
+    if (!prm.initial_potential.empty())
+      {
+        const Expression initial(prm.initial_potential, {"s"});
+        set_potential([&](const double s) { return initial(s); });
+      }
+    evaluate_load(load);
+  }
+
+  void
+  ElectrophysiologySolver::set_deformed_metric(const std::vector<double> &G11,
+                                               const std::vector<double> &r)
+  {
+    if (monodomain.set_metric(G11, r, prm.metric_tolerance))
+      {
+        system_dt = 0;
+        if (reaction)
+          reaction->metric_changed();
+      }
+  }
+
+  void
+  ElectrophysiologySolver::set_potential(
+    const std::function<double(double)> &potential)
+  {
+    for (int i = 0; i < n_control_points(); ++i)
+      v[i] = potential(monodomain.greville()[i]);
+    linear_algebra::NarrowBandSolver collocation;
+    collocation.factorize(monodomain.collocation(),
+                          "matrix of the Greville points");
+    collocation.solve(v.data());
+    if (reaction)
+      reaction->to_points(v.data(), points_v.data());
+    evaluate_load(load);
+  }
+
+  // --- one step --------------------------------------------------------------
+
+  void
+  ElectrophysiologySolver::evaluate_load(std::vector<double> &result)
+  {
+    if (reaction)
+      reaction->load({points_v.data(),
+                      gates.data(),
+                      synapses ? synapses->conductance() : no_synapses.data()},
+                     result.data());
+  }
+
+  void
+  ElectrophysiologySolver::prepare_matrix(const double dt,
+                                          const bool   hold_start,
+                                          const bool   hold_end)
+  {
+    // Sums of times make steps differ in their last digits.
+    if (std::abs(dt - system_dt) < 1e-9 * dt && hold_start == start_held &&
+        hold_end == end_held)
+      return;
+    const linear_algebra::NarrowBandMatrix &mass      = monodomain.mass();
+    const linear_algebra::NarrowBandMatrix &stiffness = monodomain.stiffness();
+    const int                               n         = mass.n_rows();
+    const int                               width     = mass.half_bandwidth();
+    const double factor = 0.5 * dt * prm.diffusivity();
+    if (system_matrix.n_rows() != n)
+      system_matrix = linear_algebra::NarrowBandMatrix(n, width);
+    for (int i = 0; i < n; ++i)
+      for (int j = std::max(0, i - width); j <= std::min(n - 1, i + width); ++j)
+        {
+          const bool held = (i == 0 && hold_start) || (i == n - 1 && hold_end);
+          system_matrix(i, j) =
+            held ? (i == j ? 1. : 0.) : mass(i, j) + factor * stiffness(i, j);
+        }
+    system.factorize(system_matrix, "monodomain matrix");
+    system_dt  = dt;
+    start_held = hold_start;
+    end_held   = hold_end;
+  }
+
+  void
+  ElectrophysiologySolver::solve_increment(const double               t,
+                                           const double               dt,
+                                           const std::vector<double> &reaction_load)
+  {
+    const auto start = boundary_start.held_potential(t, dt);
+    const auto end   = boundary_end.held_potential(t, dt);
+    prepare_matrix(dt, start.has_value(), end.has_value());
+
+    const int    n       = n_control_points();
+    const double current = stimulus.mean_current(t, dt) / prm.capacitance;
+    for (int i = 0; i < n; ++i)
+      increment[i] = dt * (reaction_load[i] + current * stimulus_load[i]);
+    monodomain.stiffness().add_multiply(v.data(),
+                                        increment.data(),
+                                        -dt * prm.diffusivity());
+    if (start)
+      increment[0] = *start - v[0];
+    if (end)
+      increment[n - 1] = *end - v[n - 1];
+    system.solve(increment.data());
+  }
+
+  void
+  ElectrophysiologySolver::advance_state(const double t, const double dt)
+  {
+    for (std::size_t i = 0; i < v.size(); ++i)
+      v[i] += increment[i];
+    if (!reaction)
+      return;
+    std::swap(points_v, old_points_v);
+    reaction->to_points(v.data(), points_v.data());
+    if (model->n_gates() > 0)
+      {
+        const bool at_end = prm.gate_potential == GatePotential::end;
+        for (std::size_t i = 0; i < points_v.size(); ++i)
+          middle_v[i] = 0.5 * (points_v[i] + old_points_v[i]);
+        model->advance_gates(n_points(),
+                             at_end ? points_v.data() : middle_v.data(),
+                             dt,
+                             gates.data(),
+                             n_points());
+      }
+    if (synapses)
+      {
+        synapses->advance(t, dt, old_points_v.data(), points_v.data());
+        const auto epscs = stimulus.epscs(epscs_given_until, t + dt);
+        for (auto time = epscs[0]; time != epscs[1]; ++time)
+          for (const int point : stimulated_points)
+            synapses->add_epsc(point, *time, t + dt);
+      }
+  }
+
+  void
+  ElectrophysiologySolver::predict_load(const double t, const double dt)
+  {
+    old_v           = v;
+    gates_backup    = gates;
+    synapses_backup = synapses;
+    solve_increment(t, dt, load);
+    advance_state(t, dt);
+    evaluate_load(combined_load);
+    for (std::size_t i = 0; i < load.size(); ++i)
+      combined_load[i] = 0.5 * (load[i] + combined_load[i]);
+    v        = old_v;
+    gates    = gates_backup;
+    synapses = synapses_backup;
+    std::swap(points_v, old_points_v);
+  }
+
+  void
+  ElectrophysiologySolver::substep(const double t, const double dt)
+  {
+    const double ratio = previous_dt > 0 ? dt / previous_dt : 0.;
+    if (reaction)
+      {
+        if (ratio < 0.5 || ratio > 2)
+          predict_load(t, dt);
+        else
+          for (std::size_t i = 0; i < load.size(); ++i)
+            combined_load[i] =
+              load[i] + 0.5 * ratio * (load[i] - previous_load[i]);
+      }
+    solve_increment(t, dt, combined_load);
+    if (!probes.empty())
+      old_v = v;
+    advance_state(t, dt);
+    epscs_given_until = std::max(epscs_given_until, t + dt);
+    if (muscle)
+      muscle->record(t,
+                     dt,
+                     &gates[static_cast<std::size_t>(model->activation_gate()) *
+                            n_points()]);
+    record_probes(t, dt);
+
+    std::swap(load, previous_load);
+    evaluate_load(load);
+    previous_dt = dt;
+    ++substeps;
+    if (prm.resting_time_step > 0)
+      {
+        double largest = 0;
+        for (const double x : increment)
+          largest = std::max(largest, std::abs(x));
+        quiet_time = largest < dt * prm.resting_rate ? quiet_time + dt : 0.;
+      }
+  }
+
+  StepStatus
+  ElectrophysiologySolver::advance(const double t, const double dt)
+  {
+    const double t_end = t + dt;
+    const double tiny  = 1e-6 * std::min(dt, prm.time_step);
+    double       now   = t;
+    while (t_end - now > tiny)
+      {
+        if (resting() && stimulus.next_event(now - tiny) <= now + tiny)
+          quiet_time = 0;
+        const bool was_resting = resting();
+        double     limit       = std::min({t_end,
+                                           boundary_start.next_event(now + tiny),
+                                           boundary_end.next_event(now + tiny)});
+        if (was_resting)
+          limit = std::min(limit, stimulus.next_event(now + tiny));
+        const double largest =
+          was_resting ? prm.resting_time_step : prm.time_step;
+        const double begin = now;
+        const auto   n_steps =
+          static_cast<long long>(std::ceil((limit - begin) / largest - 1e-6));
+        const double h = (limit - begin) / std::max(1LL, n_steps);
+        for (long long i = 0; i < std::max(1LL, n_steps); ++i)
+          {
+            substep(now, h);
+            now = i + 1 < n_steps ? begin + (i + 1) * h : limit;
+            if (substeps % 64 == 0 && blown_up())
+              return StepStatus::failure(failure_reason(now, h));
+            if (resting() != was_resting)
+              break;
+          }
+        if (blown_up())
+          return StepStatus::failure(failure_reason(now, h));
+      }
+    synchronize();
+    return StepStatus();
+  }
+
+  bool
+  ElectrophysiologySolver::blown_up() const
+  {
+    constexpr double absurd_potential = 1e3;
+    double           sum              = 0;
+    for (const double x : v)
+      sum += std::abs(x);
+    return !(sum < absurd_potential * static_cast<double>(v.size()));
+  }
+
+  std::string
+  ElectrophysiologySolver::failure_reason(const double t, const double dt) const
+  {
+    std::ostringstream reason;
+    reason << "The transmembrane potential diverged before t = " << t
+           << " s with substeps of " << dt << " s";
+    const double limit = model ? 1. / model->fastest_rate() : 0.;
+    if (dt > 0.5 * limit && model)
+      reason << ": the explicit ionic currents need steps below about " << limit
+             << " s; reduce \"Electrophysiology/Time step\".";
+    else
+      reason << "; check stimulus, boundary conditions and conductivity.";
+    return reason.str();
+  }
+
+  void
+  ElectrophysiologySolver::synchronize()
+  {
+    if (mpi::size(comm) == 1)
+      return;
+    for (std::vector<double> *values :
+         {&v, &gates, &load, &previous_load, &points_v})
+      mpi::broadcast(values->data(), values->size(), comm);
+    if (synapses)
+      synapses->synchronize(comm);
+  }
+
+  // --- output ----------------------------------------------------------------
+
+  void
+  ElectrophysiologySolver::gate(const int            k,
+                                std::vector<double> &coefficients) const
+  {
+    coefficients.resize(n_control_points());
+    reaction->to_coefficients(&gates[static_cast<std::size_t>(k) * n_points()],
+                              coefficients.data());
+  }
+
+  std::vector<double>
+  ElectrophysiologySolver::currents(const int point) const
+  {
+    std::vector<double> own_gates(model->n_gates());
+    for (int k = 0; k < model->n_gates(); ++k)
+      own_gates[k] = gates[static_cast<std::size_t>(k) * n_points() + point];
+    std::vector<double> values(model->current_names().size());
+    model->currents(points_v[point],
+                    own_gates.data(),
+                    synapses ? synapses->conductance()[point] : 0.,
+                    values.data());
+    for (double &value : values)
+      value *= prm.capacitance;
+    return values;
+  }
+
+  void
+  ElectrophysiologySolver::activation(const double         t,
+                                      std::vector<double> &coefficients) const
+  {
+    coefficients.assign(n_control_points(), 0.);
+    if (!muscle)
+      return;
+    for (int i = 0; i < n_points(); ++i)
+      point_values[i] = muscle->value(i, t);
+    reaction->to_coefficients(point_values.data(), coefficients.data());
+    // Interpolation may undershoot where the activation begins.
+    for (double &gamma : coefficients)
+      gamma = std::max(gamma, 0.);
+    mpi::broadcast(coefficients.data(), coefficients.size(), comm);
+  }
+
+  double
+  ElectrophysiologySolver::potential_at(const double theta) const
+  {
+    int                 first;
+    std::vector<double> N;
+    monodomain.basis(theta, first, N);
+    double value = 0;
+    for (std::size_t a = 0; a < N.size(); ++a)
+      value += N[a] * v[first + a];
+    return value;
+  }
+
+  int
+  ElectrophysiologySolver::add_crossing_probe(const double theta,
+                                              const double level)
+  {
+    probes.emplace_back();
+    probes.back().level = level;
+    monodomain.basis(theta, probes.back().first, probes.back().basis);
+    return static_cast<int>(probes.size()) - 1;
+  }
+
+  void
+  ElectrophysiologySolver::record_probes(const double t, const double dt)
+  {
+    for (Probe &probe : probes)
+      {
+        double before = 0, after = 0;
+        for (std::size_t a = 0; a < probe.basis.size(); ++a)
+          {
+            before += probe.basis[a] * old_v[probe.first + a];
+            after += probe.basis[a] * v[probe.first + a];
+          }
+        if (before < probe.level && after >= probe.level)
+          probe.times.push_back(t + dt * (probe.level - before) /
+                                      (after - before));
+      }
+  }
+
+  std::string
+  ElectrophysiologySolver::resolution_problem() const
+  {
+    // A front is followed to a few per cent with elements as long as it is
+    // wide; with elements four times as long it is noise.
+    constexpr double   largest_ratio = 4;
+    std::ostringstream problem;
+    if (model && monodomain.longest_element() > 0)
+      {
+        const double width = model->front_width(prm.diffusivity());
+        if (monodomain.longest_element() > largest_ratio * width)
+          problem << "The longest element of the tissue, "
+                  << monodomain.longest_element()
+                  << " m, cannot resolve the front of the action potential, "
+                  << width << " m wide at the diffusivity " << prm.diffusivity()
+                  << " m^2/s; use elements of at most " << width << " m.";
+      }
+    return problem.str();
+  }
+
+  void
+  ElectrophysiologySolver::serialize(Archive &archive)
+  {
+    const Archive::Group group(archive, "electrophysiology");
+    archive.values("potential", v);
+    archive.values("gates", gates);
+    archive.values("load", load);
+    archive.values("previous load", previous_load);
+    archive.value("previous step", previous_dt);
+    archive.value("quiet time", quiet_time);
+    archive.value("EPSCs given until", epscs_given_until);
+    std::int64_t n_steps = substeps;
+    archive.value("substeps", n_steps);
+    substeps = n_steps;
+    if (synapses)
+      synapses->serialize(archive);
+    if (muscle)
+      muscle->serialize(archive);
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      archive.values("crossing times " + std::to_string(i), probes[i].times);
+
+    std::vector<double> G11 = monodomain.metric_G11(), r = monodomain.metric_r();
+    archive.values("metric", G11);
+    archive.values("radius", r);
+    double factorized_dt = system_dt;
+    archive.value("factorised step", factorized_dt);
+    double held[2] = {double(start_held), double(end_held)};
+    archive.value("start held", held[0]);
+    archive.value("end held", held[1]);
+    if (archive.reading())
+      {
+        if (monodomain.set_metric(G11, r, 0.) && reaction)
+          reaction->metric_changed();
+        system_dt = 0;
+        if (factorized_dt > 0)
+          prepare_matrix(factorized_dt, held[0] != 0, held[1] != 0);
+        if (reaction)
+          reaction->to_points(v.data(), points_v.data());
+      }
+  }
+} // namespace ephyra::electrophysiology

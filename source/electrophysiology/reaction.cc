@@ -1,0 +1,204 @@
+#include "ephyra/electrophysiology/reaction.h"
+
+#include <algorithm>
+
+namespace ephyra::electrophysiology
+{
+  namespace
+  {
+    using linear_algebra::NarrowBandSolver;
+
+    class AtControlCoefficients : public Reaction
+    {
+    public:
+      AtControlCoefficients(const MonodomainOperator &monodomain,
+                            const IonicModel         &model)
+        : monodomain(monodomain)
+        , model(model)
+        , n_gauss(monodomain.n_gauss_points())
+        , v(n_gauss)
+        , gates(static_cast<std::size_t>(n_gauss) * model.n_gates())
+        , synapse(n_gauss, 0.)
+        , f(n_gauss)
+      {}
+
+      int
+      n_points() const override
+      {
+        return monodomain.n_unknowns();
+      }
+      void
+      to_points(const double *coefficients, double *values) const override
+      {
+        std::copy(coefficients, coefficients + n_points(), values);
+      }
+      void
+      to_coefficients(const double *values, double *coefficients) const override
+      {
+        std::copy(values, values + n_points(), coefficients);
+      }
+      void
+      load(const PointState &state, double *load) override
+      {
+        monodomain.interpolate(state.v, v.data());
+        for (int k = 0; k < model.n_gates(); ++k)
+          monodomain.interpolate(state.gates + k * n_points(),
+                                 &gates[static_cast<std::size_t>(k) * n_gauss]);
+        if (model.has_synapses())
+          monodomain.interpolate(state.synapse, synapse.data());
+        model.rate(
+          n_gauss, v.data(), gates.data(), n_gauss, synapse.data(), f.data());
+        monodomain.integrate(f.data(), load);
+      }
+      void
+      metric_changed() override
+      {}
+      const std::vector<double> &
+      theta() const override
+      {
+        return monodomain.greville();
+      }
+
+    private:
+      const MonodomainOperator &monodomain;
+      const IonicModel         &model;
+      const int                 n_gauss;
+      std::vector<double>       v, gates, synapse, f; ///< at Gauss points
+    };
+
+    class AtGrevillePoints : public Reaction
+    {
+    public:
+      AtGrevillePoints(const MonodomainOperator &monodomain,
+                       const IonicModel         &model)
+        : monodomain(monodomain)
+        , model(model)
+        , f(monodomain.n_unknowns())
+      {
+        collocation.factorize(monodomain.collocation(),
+                              "matrix of the Greville points");
+      }
+
+      int
+      n_points() const override
+      {
+        return monodomain.n_unknowns();
+      }
+      void
+      to_points(const double *coefficients, double *values) const override
+      {
+        monodomain.collocation().multiply(coefficients, values);
+      }
+      void
+      to_coefficients(const double *values, double *coefficients) const override
+      {
+        std::copy(values, values + n_points(), coefficients);
+        collocation.solve(coefficients);
+      }
+      void
+      load(const PointState &state, double *load) override
+      {
+        model.rate(n_points(),
+                   state.v,
+                   state.gates,
+                   n_points(),
+                   state.synapse,
+                   f.data());
+        collocation.solve(f.data());
+        monodomain.consistent_mass().multiply(f.data(), load);
+      }
+      void
+      metric_changed() override
+      {}
+      const std::vector<double> &
+      theta() const override
+      {
+        return monodomain.greville();
+      }
+
+    private:
+      const MonodomainOperator &monodomain;
+      const IonicModel         &model;
+      NarrowBandSolver          collocation;
+      std::vector<double>       f;
+    };
+
+    class AtQuadraturePoints : public Reaction
+    {
+    public:
+      AtQuadraturePoints(const MonodomainOperator &monodomain,
+                         const IonicModel         &model)
+        : monodomain(monodomain)
+        , model(model)
+        , n_gauss(monodomain.n_gauss_points())
+        , f(n_gauss)
+      {
+        // Gauss points are kept in the order of interpolate().
+        const std::vector<double> &theta = monodomain.gauss_theta();
+        const int                  n_per_element = monodomain.points_per_element();
+        for (int q = 0; q < n_per_element; ++q)
+          for (int i = q; i < n_gauss; i += n_per_element)
+            point_theta.push_back(theta[i]);
+        metric_changed();
+      }
+
+      int
+      n_points() const override
+      {
+        return n_gauss;
+      }
+      void
+      to_points(const double *coefficients, double *values) const override
+      {
+        monodomain.interpolate(coefficients, values);
+      }
+      void
+      to_coefficients(const double *values, double *coefficients) const override
+      {
+        monodomain.integrate(values, coefficients);
+        mass.solve(coefficients);
+      }
+      void
+      load(const PointState &state, double *load) override
+      {
+        model.rate(
+          n_gauss, state.v, state.gates, n_gauss, state.synapse, f.data());
+        monodomain.integrate(f.data(), load);
+      }
+      void
+      metric_changed() override
+      {
+        mass.factorize(monodomain.consistent_mass(), "mass matrix");
+      }
+      const std::vector<double> &
+      theta() const override
+      {
+        return point_theta;
+      }
+
+    private:
+      const MonodomainOperator &monodomain;
+      const IonicModel         &model;
+      const int                 n_gauss;
+      NarrowBandSolver          mass;
+      std::vector<double>       point_theta;
+      std::vector<double>       f;
+    };
+  } // namespace
+
+  std::unique_ptr<Reaction>
+  make_reaction(const Placement           placement,
+                const MonodomainOperator &monodomain,
+                const IonicModel         &model)
+  {
+    switch (placement)
+      {
+        case Placement::control_coefficients:
+          return std::make_unique<AtControlCoefficients>(monodomain, model);
+        case Placement::greville_points:
+          return std::make_unique<AtGrevillePoints>(monodomain, model);
+        default:
+          return std::make_unique<AtQuadraturePoints>(monodomain, model);
+      }
+  }
+} // namespace ephyra::electrophysiology
