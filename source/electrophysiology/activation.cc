@@ -54,14 +54,13 @@ namespace ephyra::electrophysiology
   Activation::Parameters::parse(ParameterHandler &prm)
   {
     const ParameterHandler::Section section(prm, "Activation");
-    threshold     = prm.get_double("Threshold");
-    peak          = prm.get_double("Peak");
-    stretch       = prm.get_double("Time stretch");
-    replays       = prm.get("Overlapping replays") == "newest" ? Replays::newest :
-                                                                 Replays::largest;
-    start         = prm.get("Start") == "literal" ? Start::literal :
-                                                    Start::continuous;
-    fit_to_pacing = prm.get_bool("Fit to pacing");
+    threshold = prm.get_double("Threshold");
+    peak      = prm.get_double("Peak");
+    stretch   = prm.get_double("Time stretch");
+    replays   = prm.get("Overlapping replays") == "newest" ? Replays::newest
+                                                           : Replays::largest;
+    start = prm.get("Start") == "literal" ? Start::literal : Start::continuous;
+    fit_to_pacing   = prm.get_bool("Fit to pacing");
     spike_duration  = prm.get_double("Spike duration");
     sample_interval = prm.get_double("Sample interval");
     if (threshold >= peak)
@@ -74,15 +73,14 @@ namespace ephyra::electrophysiology
     : prm(parameters)
     , replay_speed(1. / prm.stretch)
     // A literal replay is followed down to where it is negligible.
-    , closing_level(prm.start == Start::literal ? 0.01 * prm.threshold :
-                                                  prm.threshold)
+    , closing_level(prm.start == Start::literal ? 0.01 * prm.threshold
+                                                : prm.threshold)
     , points(n_points)
     , previous(n_points, std::numeric_limits<double>::max())
   {
     if (prm.fit_to_pacing)
-      replay_speed =
-        std::min(1.,
-                 std::max(replay_speed, prm.spike_duration * pacing_frequency));
+      replay_speed = std::min(
+        1., std::max(replay_speed, prm.spike_duration * pacing_frequency));
   }
 
   void
@@ -133,12 +131,11 @@ namespace ephyra::electrophysiology
         for (;;)
           {
             const double time =
-              replay.start + prm.sample_interval *
-                               static_cast<double>(replay.samples.size());
+              replay.start +
+              prm.sample_interval * static_cast<double>(replay.samples.size());
             if (time > t + dt)
               break;
-            replay.samples.push_back(before +
-                                     (now - before) * (time - t) / dt);
+            replay.samples.push_back(before + (now - before) * (time - t) / dt);
           }
         // One sample below the level is kept for the interpolation.
         if (now < closing_level && replay.samples.back() < closing_level)
@@ -158,8 +155,8 @@ namespace ephyra::electrophysiology
       {
         const int    j = std::min(static_cast<int>(x), std::max(n - 2, 0));
         const double s = x - j;
-        gate = n == 1 ? replay.samples[0] :
-                        (1 - s) * replay.samples[j] + s * replay.samples[j + 1];
+        gate           = n == 1 ? replay.samples[0]
+                                : (1 - s) * replay.samples[j] + s * replay.samples[j + 1];
       }
     else
       {
@@ -172,9 +169,10 @@ namespace ephyra::electrophysiology
                G[2] * s * (s - 1) * (s - 3) / 2. +
                G[3] * s * (s - 1) * (s - 2) / 6.;
       }
-    return prm.start == Start::literal ?
-             gate / prm.peak :
-             std::max(0., (gate - prm.threshold) / (prm.peak - prm.threshold));
+    return prm.start == Start::literal
+             ? gate / prm.peak
+             : std::max(0.,
+                        (gate - prm.threshold) / (prm.peak - prm.threshold));
   }
 
   double
@@ -194,8 +192,8 @@ namespace ephyra::electrophysiology
   double
   Activation::last_start(const int point) const
   {
-    return points[point].replays.empty() ? -1e30 :
-                                           points[point].replays.back().start;
+    return points[point].replays.empty() ? -1e30
+                                         : points[point].replays.back().start;
   }
 
   std::size_t
@@ -225,9 +223,8 @@ namespace ephyra::electrophysiology
             {
               packed.push_back(replay.start);
               packed.push_back(static_cast<double>(replay.samples.size()));
-              packed.insert(packed.end(),
-                            replay.samples.begin(),
-                            replay.samples.end());
+              packed.insert(
+                packed.end(), replay.samples.begin(), replay.samples.end());
             }
         }
     archive.values("replays", packed);

@@ -33,9 +33,9 @@ namespace ephyra::electrophysiology
                                        const std::string &section_name)
   {
     const ParameterHandler::Section section(prm, section_name);
-    holds_potential = prm.get("Type") == "potential";
-    potential       = prm.get("Potential");
-    start           = prm.get_double("Start time");
+    holds_potential    = prm.get("Type") == "potential";
+    potential          = prm.get("Potential");
+    start              = prm.get_double("Start time");
     const double until = prm.get_double("End time");
     end = until > 0 ? until : std::numeric_limits<double>::infinity();
     if (end <= start)
@@ -45,15 +45,20 @@ namespace ephyra::electrophysiology
   BoundaryCondition::BoundaryCondition(const Parameters &parameters)
     : prm(parameters)
     , potential(parameters.potential, {"t"})
-  {}
+  {
+  }
 
-  std::optional<double>
-  BoundaryCondition::held_potential(const double t, const double dt) const
+  bool
+  BoundaryCondition::holds(const double t, const double dt) const
   {
     const double middle = t + 0.5 * dt;
-    if (!prm.holds_potential || middle < prm.start || middle > prm.end)
-      return std::nullopt;
-    return potential(t + dt);
+    return prm.holds_potential && middle > prm.start && middle < prm.end;
+  }
+
+  double
+  BoundaryCondition::held_potential(const double t) const
+  {
+    return potential(t);
   }
 
   double

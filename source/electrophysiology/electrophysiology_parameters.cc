@@ -26,10 +26,11 @@ namespace ephyra::electrophysiology
                       patterns::Positive("s"),
                       "Largest substep. The explicit ionic currents of the "
                       "jellyfish neuron need less than about 10 us.");
-    prm.declare_entry("Resting time step",
-                      "0 s",
-                      patterns::Double("s", 0.),
-                      "Substep while nothing happens; 0: always the time step.");
+    prm.declare_entry(
+      "Resting time step",
+      "0 s",
+      patterns::Double("s", 0.),
+      "Substep while nothing happens; 0: always the time step.");
     prm.declare_entry("Resting rate",
                       "0.02 V/s",
                       patterns::Positive("V/s"),
@@ -80,28 +81,28 @@ namespace ephyra::electrophysiology
   {
     const ParameterHandler::Section section(prm, "Electrophysiology");
     const std::string               model_name = prm.get("Ionic model");
-    model = model_name == "Nagumo" ? Model::nagumo :
-            model_name == "none"   ? Model::none :
-                                     Model::jellyfish_neuron;
-    conductivity      = prm.get_double("Conductivity");
-    capacitance       = prm.get_double("Capacitance");
-    time_step         = prm.get_double("Time step");
-    resting_time_step = prm.get_double("Resting time step");
-    resting_rate      = prm.get_double("Resting rate");
+    model                   = model_name == "Nagumo" ? Model::nagumo
+                              : model_name == "none" ? Model::none
+                                                     : Model::jellyfish_neuron;
+    conductivity            = prm.get_double("Conductivity");
+    capacitance             = prm.get_double("Capacitance");
+    time_step               = prm.get_double("Time step");
+    resting_time_step       = prm.get_double("Resting time step");
+    resting_rate            = prm.get_double("Resting rate");
     const std::string place = prm.get("Placement");
-    placement               = place == "Greville points" ?
-                                Placement::greville_points :
-                              place == "quadrature points" ?
-                                Placement::quadrature_points :
-                                Placement::control_coefficients;
-    gate_potential = prm.get("Gate potential") == "end" ? GatePotential::end :
-                                                          GatePotential::midpoint;
-    mass    = prm.get("Mass matrix") == "lumped" ?
-                MonodomainOperator::Mass::lumped :
-                MonodomainOperator::Mass::consistent;
-    measure = prm.get("Measure") == "deformed" ?
-                MonodomainOperator::Measure::deformed :
-                MonodomainOperator::Measure::reference;
+    placement         = place == "Greville points" ? Placement::greville_points
+                        : place == "quadrature points"
+                          ? Placement::quadrature_points
+                          : Placement::control_coefficients;
+    gate_potential    = prm.get("Gate potential") == "end"
+                          ? GatePotential::end
+                          : GatePotential::midpoint;
+    mass              = prm.get("Mass matrix") == "lumped"
+                          ? MonodomainOperator::Mass::lumped
+                          : MonodomainOperator::Mass::consistent;
+    measure           = prm.get("Measure") == "deformed"
+                          ? MonodomainOperator::Measure::deformed
+                          : MonodomainOperator::Measure::reference;
     metric_tolerance  = prm.get_double("Metric tolerance");
     initial_potential = prm.get("Initial potential");
     neuron.parse(prm);

@@ -15,12 +15,12 @@ namespace ephyra::electrophysiology
     {
       switch (prm.model)
         {
-          case ElectrophysiologySolver::Model::jellyfish_neuron:
-            return std::make_unique<MnnNeuron>(prm.neuron);
-          case ElectrophysiologySolver::Model::nagumo:
-            return std::make_unique<Nagumo>(prm.nagumo);
-          default:
-            return nullptr;
+        case ElectrophysiologySolver::Model::jellyfish_neuron:
+          return std::make_unique<MnnNeuron>(prm.neuron);
+        case ElectrophysiologySolver::Model::nagumo:
+          return std::make_unique<Nagumo>(prm.nagumo);
+        default:
+          return nullptr;
         }
     }
   } // namespace
@@ -65,12 +65,14 @@ namespace ephyra::electrophysiology
   void
   ElectrophysiologySolver::initialize()
   {
-    const int n       = monodomain.n_unknowns();
-    const int n_state = n_points();
-    const double rest = model ? model->rest_potential() : 0.;
+    const int    n       = monodomain.n_unknowns();
+    const int    n_state = n_points();
+    const double rest    = model ? model->rest_potential() : 0.;
     v.assign(n, rest);
     increment.assign(n, 0.);
     old_v.assign(n, 0.);
+    part_v.assign(n, 0.);
+    part_increment.assign(n, 0.);
     load.assign(n, 0.);
     previous_load.assign(n, 0.);
     combined_load.assign(n, 0.);
@@ -86,13 +88,14 @@ namespace ephyra::electrophysiology
         for (const double gate : steady)
           gates.insert(gates.end(), n_state, gate);
         if (model->has_synapses())
-          synapses.emplace(prm.synapses, prm.neuron.capacitance * 1e-12, n_state);
+          synapses.emplace(
+            prm.synapses, prm.neuron.capacitance * 1e-12, n_state);
         if (model->activation_gate() >= 0)
           {
             muscle.emplace(prm.activation, n_state, prm.stimulus.frequency);
-            muscle->initialize(&gates[static_cast<std::size_t>(
-                                        model->activation_gate()) *
-                                      n_state]);
+            muscle->initialize(
+              &gates[static_cast<std::size_t>(model->activation_gate()) *
+                     n_state]);
           }
         for (int i = 0; i < n_state; ++i)
           if (n == 1 || (reaction->theta()[i] >= stimulus.interval()[0] &&
@@ -176,26 +179,43 @@ namespace ephyra::electrophysiology
   }
 
   void
-  ElectrophysiologySolver::solve_increment(const double               t,
-                                           const double               dt,
-                                           const std::vector<double> &reaction_load)
+  ElectrophysiologySolver::solve_increment(
+    const double t, const double dt, const std::vector<double> &reaction_load)
   {
-    const auto start = boundary_start.held_potential(t, dt);
-    const auto end   = boundary_end.held_potential(t, dt);
-    prepare_matrix(dt, start.has_value(), end.has_value());
+    const bool hold_start = boundary_start.holds(t, dt);
+    const bool hold_end   = boundary_end.holds(t, dt);
+    if ((hold_start && !start_held) || (hold_end && !end_held))
+      damped_steps = damped_steps_after_jump;
+    prepare_matrix(dt, hold_start, hold_end);
 
+    // One Crank-Nicolson step, or two backward Euler steps of half the size:
+    // they have the same matrix.
     const int    n       = n_control_points();
+    const int    n_parts = damped_steps > 0 ? 2 : 1;
+    const double part    = dt / n_parts;
     const double current = stimulus.mean_current(t, dt) / prm.capacitance;
-    for (int i = 0; i < n; ++i)
-      increment[i] = dt * (reaction_load[i] + current * stimulus_load[i]);
-    monodomain.stiffness().add_multiply(v.data(),
-                                        increment.data(),
-                                        -dt * prm.diffusivity());
-    if (start)
-      increment[0] = *start - v[0];
-    if (end)
-      increment[n - 1] = *end - v[n - 1];
-    system.solve(increment.data());
+    std::fill(increment.begin(), increment.end(), 0.);
+    part_v = v;
+    for (int k = 1; k <= n_parts; ++k)
+      {
+        for (int i = 0; i < n; ++i)
+          part_increment[i] =
+            part * (reaction_load[i] + current * stimulus_load[i]);
+        monodomain.stiffness().add_multiply(
+          part_v.data(), part_increment.data(), -part * prm.diffusivity());
+        if (hold_start)
+          part_increment[0] =
+            boundary_start.held_potential(t + k * part) - part_v[0];
+        if (hold_end)
+          part_increment[n - 1] =
+            boundary_end.held_potential(t + k * part) - part_v[n - 1];
+        system.solve(part_increment.data());
+        for (int i = 0; i < n; ++i)
+          {
+            part_v[i] += part_increment[i];
+            increment[i] += part_increment[i];
+          }
+      }
   }
 
   void
@@ -274,6 +294,7 @@ namespace ephyra::electrophysiology
     evaluate_load(load);
     previous_dt = dt;
     ++substeps;
+    damped_steps = std::max<std::int64_t>(0, damped_steps - 1);
     if (prm.resting_time_step > 0)
       {
         double largest = 0;
@@ -435,8 +456,8 @@ namespace ephyra::electrophysiology
             after += probe.basis[a] * v[probe.first + a];
           }
         if (before < probe.level && after >= probe.level)
-          probe.times.push_back(t + dt * (probe.level - before) /
-                                      (after - before));
+          probe.times.push_back(t +
+                                dt * (probe.level - before) / (after - before));
       }
   }
 
@@ -471,9 +492,8 @@ namespace ephyra::electrophysiology
     archive.value("previous step", previous_dt);
     archive.value("quiet time", quiet_time);
     archive.value("EPSCs given until", epscs_given_until);
-    std::int64_t n_steps = substeps;
-    archive.value("substeps", n_steps);
-    substeps = n_steps;
+    archive.value("substeps", substeps);
+    archive.value("damped steps", damped_steps);
     if (synapses)
       synapses->serialize(archive);
     if (muscle)
@@ -481,7 +501,8 @@ namespace ephyra::electrophysiology
     for (std::size_t i = 0; i < probes.size(); ++i)
       archive.values("crossing times " + std::to_string(i), probes[i].times);
 
-    std::vector<double> G11 = monodomain.metric_G11(), r = monodomain.metric_r();
+    std::vector<double> G11 = monodomain.metric_G11(),
+                        r   = monodomain.metric_r();
     archive.values("metric", G11);
     archive.values("radius", r);
     double factorized_dt = system_dt;

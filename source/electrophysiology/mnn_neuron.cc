@@ -35,26 +35,66 @@ namespace ephyra::electrophysiology
       const char                    *text;
     };
     const Entry entries[] = {
-      {"Capacitance", &MnnNeuron::Parameters::capacitance, "F", "pF", 1e12,
+      {"Capacitance",
+       &MnnNeuron::Parameters::capacitance,
+       "F",
+       "pF",
+       1e12,
        "Capacitance of the cell membrane, to which the conductances belong."},
-      {"Conductance I", &MnnNeuron::Parameters::g_I, "S", "nS", 1e9,
+      {"Conductance I",
+       &MnnNeuron::Parameters::g_I,
+       "S",
+       "nS",
+       1e9,
        "Peak conductance of the transient inward current."},
-      {"Conductance FT", &MnnNeuron::Parameters::g_FT, "S", "nS", 1e9,
+      {"Conductance FT",
+       &MnnNeuron::Parameters::g_FT,
+       "S",
+       "nS",
+       1e9,
        "Peak conductance of the fast transient outward current."},
-      {"Conductance ST", &MnnNeuron::Parameters::g_ST, "S", "nS", 1e9,
+      {"Conductance ST",
+       &MnnNeuron::Parameters::g_ST,
+       "S",
+       "nS",
+       1e9,
        "Peak conductance of the slow transient outward current."},
-      {"Conductance SS", &MnnNeuron::Parameters::g_SS, "S", "nS", 1e9,
+      {"Conductance SS",
+       &MnnNeuron::Parameters::g_SS,
+       "S",
+       "nS",
+       1e9,
        "Peak conductance of the steady-state outward current."},
-      {"Conductance L", &MnnNeuron::Parameters::g_L, "S", "nS", 1e9,
+      {"Conductance L",
+       &MnnNeuron::Parameters::g_L,
+       "S",
+       "nS",
+       1e9,
        "Conductance of the leakage."},
-      {"Reversal potential I", &MnnNeuron::Parameters::E_I, "V", "mV", 1e3,
+      {"Reversal potential I",
+       &MnnNeuron::Parameters::E_I,
+       "V",
+       "mV",
+       1e3,
        "Reversal potential of the inward current."},
-      {"Reversal potential O", &MnnNeuron::Parameters::E_O, "V", "mV", 1e3,
+      {"Reversal potential O",
+       &MnnNeuron::Parameters::E_O,
+       "V",
+       "mV",
+       1e3,
        "Reversal potential of the outward currents."},
-      {"Reversal potential L", &MnnNeuron::Parameters::E_L, "V", "mV", 1e3,
+      {"Reversal potential L",
+       &MnnNeuron::Parameters::E_L,
+       "V",
+       "mV",
+       1e3,
        "Reversal potential of the leakage."},
-      {"Reversal potential synapse", &MnnNeuron::Parameters::E_syn, "V", "mV",
-       1e3, "Above this potential the synaptic current vanishes."}};
+      {"Reversal potential synapse",
+       &MnnNeuron::Parameters::E_syn,
+       "V",
+       "mV",
+       1e3,
+       "Above this potential the synaptic current vanishes."}};
   } // namespace
 
   void
@@ -69,8 +109,8 @@ namespace ephyra::electrophysiology
         const bool is_potential = std::string(entry.unit) == "V";
         prm.declare_entry(entry.name,
                           value.str(),
-                          is_potential ? patterns::Double(entry.unit) :
-                                         patterns::Positive(entry.unit),
+                          is_potential ? patterns::Double(entry.unit)
+                                       : patterns::Positive(entry.unit),
                           entry.text);
       }
   }
@@ -140,10 +180,10 @@ namespace ephyra::electrophysiology
   }
 
   void
-  MnnNeuron::rate(const int                  n_points,
+  MnnNeuron::rate(const int n_points,
                   const double *__restrict__ v,
                   const double *__restrict__ gates,
-                  const int                  stride,
+                  const int stride,
                   const double *__restrict__ synapse,
                   double *__restrict__ f) const
   {
@@ -155,16 +195,15 @@ namespace ephyra::electrophysiology
     const double *__restrict__ G_f = gates + 5 * stride;
     const double *__restrict__ G_g = gates + 6 * stride;
 
-    const auto  &gate  = prm.gates;
-    const double n_a   = gate[0].exponent, n_b = gate[1].exponent,
-                 n_c   = gate[2].exponent, n_d = gate[3].exponent,
-                 n_e   = gate[4].exponent, n_f = gate[5].exponent;
+    const auto  &gate = prm.gates;
+    const double n_a = gate[0].exponent, n_b = gate[1].exponent,
+                 n_c = gate[2].exponent, n_d = gate[3].exponent,
+                 n_e = gate[4].exponent, n_f = gate[5].exponent;
     const double per_C = 1. / prm.capacitance; // nS/pF = 1/ms
-    const double I     = prm.g_I * per_C, FT = prm.g_FT * per_C,
-                 ST    = prm.g_ST * per_C, SS = prm.g_SS * per_C,
-                 L     = prm.g_L * per_C;
-    const double E_I   = prm.E_I, E_O = prm.E_O, E_L = prm.E_L,
-                 E_syn = prm.E_syn;
+    const double I = prm.g_I * per_C, FT = prm.g_FT * per_C,
+                 ST = prm.g_ST * per_C, SS = prm.g_SS * per_C,
+                 L   = prm.g_L * per_C;
+    const double E_I = prm.E_I, E_O = prm.E_O, E_L = prm.E_L, E_syn = prm.E_syn;
 
     for (int i = 0; i < n_points; ++i)
       {
@@ -181,11 +220,11 @@ namespace ephyra::electrophysiology
   }
 
   void
-  MnnNeuron::advance_gates(const int                  n_points,
+  MnnNeuron::advance_gates(const int n_points,
                            const double *__restrict__ v,
-                           const double               dt,
+                           const double dt,
                            double *__restrict__ gates,
-                           const int                  stride) const
+                           const int stride) const
   {
     const double dt_ms = ms_per_s * dt;
     for (int k = 0; k < n_all_gates; ++k)

@@ -135,20 +135,20 @@ namespace ephyra::electrophysiology
       for (int q = 0; q < n_per_element; ++q)
         {
           const int i = e * n_per_element + q;
-          EphyraThrowIf(!(G11[i] > 0) || !std::isfinite(G11[i]) ||
-                          !(r[i] > 0),
+          EphyraThrowIf(!(G11[i] > 0) || !std::isfinite(G11[i]) || !(r[i] > 0),
                         DivergedError,
                         "The line of the tissue is degenerate at theta^1 = "
                           << theta[i] << ": G_11 = " << G11[i] << " m^2, r = "
                           << r[i] << " m; both must be positive.");
-          const double w = weight[i] * (measure_kind == Measure::reference ?
-                                          reference_measure[i] :
-                                          r[i] * std::sqrt(G11[i]));
+          const double w = weight[i] * (measure_kind == Measure::reference
+                                          ? reference_measure[i]
+                                          : r[i] * std::sqrt(G11[i]));
           measure[static_cast<std::size_t>(q) * n_elements + e] = w;
           const double *N =
             &values[static_cast<std::size_t>(q) * n_local * n_elements + e];
           const double *dN =
-            &derivatives[static_cast<std::size_t>(q) * n_local * n_elements + e];
+            &derivatives[static_cast<std::size_t>(q) * n_local * n_elements +
+                         e];
           for (int a = 0; a < n_local; ++a)
             for (int b = 0; b < n_local; ++b)
               {
@@ -193,9 +193,9 @@ namespace ephyra::electrophysiology
     std::fill(shifted.begin(), shifted.end(), 0.);
     for (int q = 0; q < n_per_element; ++q)
       {
-        const std::size_t          offset = static_cast<std::size_t>(q) * n_elements;
-        const double *__restrict__ f      = gauss_values + offset;
-        const double *__restrict__ w      = &measure[offset];
+        const std::size_t offset     = static_cast<std::size_t>(q) * n_elements;
+        const double *__restrict__ f = gauss_values + offset;
+        const double *__restrict__ w = &measure[offset];
         for (int a = 0; a < n_local; ++a)
           {
             const double *__restrict__ N =
@@ -209,7 +209,8 @@ namespace ephyra::electrophysiology
     std::fill(load, load + n, 0.);
     for (int e = 0; e < n_elements; ++e)
       for (int a = 0; a < n_local; ++a)
-        load[first[e] + a] += shifted[static_cast<std::size_t>(a) * n_elements + e];
+        load[first[e] + a] +=
+          shifted[static_cast<std::size_t>(a) * n_elements + e];
   }
 
   std::vector<double>
@@ -218,9 +219,9 @@ namespace ephyra::electrophysiology
     std::vector<double> load(n, 0.);
     if (line.empty())
       return std::vector<double>(1, 1.);
-    const std::vector<double>   &breaks = line[0].knot_vector(0).breaks();
-    const splines::Quadrature    rule   = splines::gauss_legendre(n_per_element);
-    std::vector<double>          N;
+    const std::vector<double> &breaks = line[0].knot_vector(0).breaks();
+    const splines::Quadrature  rule   = splines::gauss_legendre(n_per_element);
+    std::vector<double>        N;
     for (int e = 0; e < n_elements; ++e)
       {
         const double a = std::max(breaks[e], interval[0]);

@@ -32,7 +32,8 @@ namespace ephyra::electrophysiology
 
   Nagumo::Nagumo(const Parameters &parameters)
     : prm(parameters)
-  {}
+  {
+  }
 
   std::vector<std::string>
   Nagumo::gate_names() const
@@ -54,10 +55,11 @@ namespace ephyra::electrophysiology
 
   void
   Nagumo::steady_gates(double, double *) const
-  {}
+  {
+  }
 
   void
-  Nagumo::rate(const int                  n_points,
+  Nagumo::rate(const int n_points,
                const double *__restrict__ v,
                const double *,
                int,
@@ -71,7 +73,8 @@ namespace ephyra::electrophysiology
 
   void
   Nagumo::advance_gates(int, const double *, double, double *, int) const
-  {}
+  {
+  }
 
   std::vector<std::string>
   Nagumo::current_names() const

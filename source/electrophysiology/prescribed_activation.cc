@@ -41,8 +41,8 @@ namespace ephyra::electrophysiology
     period  = prm.get_double("Period");
     if (times.size() != values.size())
       prm.add_error("Values", "there must be as many values as times");
-    if (std::adjacent_find(times.begin(), times.end(), std::greater_equal<>()) !=
-        times.end())
+    if (std::adjacent_find(
+          times.begin(), times.end(), std::greater_equal<>()) != times.end())
       prm.add_error("Times", "the times must increase");
   }
 
@@ -71,8 +71,7 @@ namespace ephyra::electrophysiology
     if (upper == prm.times.end())
       return prm.values.back();
     const auto   i = upper - prm.times.begin();
-    const double x =
-      (t - prm.times[i - 1]) / (prm.times[i] - prm.times[i - 1]);
+    const double x = (t - prm.times[i - 1]) / (prm.times[i] - prm.times[i - 1]);
     return (1 - x) * prm.values[i - 1] + x * prm.values[i];
   }
 

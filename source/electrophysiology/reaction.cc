@@ -20,7 +20,8 @@ namespace ephyra::electrophysiology
         , gates(static_cast<std::size_t>(n_gauss) * model.n_gates())
         , synapse(n_gauss, 0.)
         , f(n_gauss)
-      {}
+      {
+      }
 
       int
       n_points() const override
@@ -52,7 +53,8 @@ namespace ephyra::electrophysiology
       }
       void
       metric_changed() override
-      {}
+      {
+      }
       const std::vector<double> &
       theta() const override
       {
@@ -109,7 +111,8 @@ namespace ephyra::electrophysiology
       }
       void
       metric_changed() override
-      {}
+      {
+      }
       const std::vector<double> &
       theta() const override
       {
@@ -135,7 +138,7 @@ namespace ephyra::electrophysiology
       {
         // Gauss points are kept in the order of interpolate().
         const std::vector<double> &theta = monodomain.gauss_theta();
-        const int                  n_per_element = monodomain.points_per_element();
+        const int n_per_element          = monodomain.points_per_element();
         for (int q = 0; q < n_per_element; ++q)
           for (int i = q; i < n_gauss; i += n_per_element)
             point_theta.push_back(theta[i]);
@@ -193,12 +196,12 @@ namespace ephyra::electrophysiology
   {
     switch (placement)
       {
-        case Placement::control_coefficients:
-          return std::make_unique<AtControlCoefficients>(monodomain, model);
-        case Placement::greville_points:
-          return std::make_unique<AtGrevillePoints>(monodomain, model);
-        default:
-          return std::make_unique<AtQuadraturePoints>(monodomain, model);
+      case Placement::control_coefficients:
+        return std::make_unique<AtControlCoefficients>(monodomain, model);
+      case Placement::greville_points:
+        return std::make_unique<AtGrevillePoints>(monodomain, model);
+      default:
+        return std::make_unique<AtQuadraturePoints>(monodomain, model);
       }
   }
 } // namespace ephyra::electrophysiology

@@ -18,10 +18,8 @@ namespace ephyra::electrophysiology
                       patterns::Double("A/m^3"),
                       "Current density of a pulse; divided by the capacitance "
                       "it is the rate at which the potential rises. 0: none.");
-    prm.declare_entry("Duration",
-                      "0.1 ms",
-                      patterns::Positive("s"),
-                      "Duration of a pulse.");
+    prm.declare_entry(
+      "Duration", "0.1 ms", patterns::Positive("s"), "Duration of a pulse.");
     prm.declare_entry("Start time",
                       "0 s",
                       patterns::Double("s", 0.),
@@ -102,12 +100,12 @@ namespace ephyra::electrophysiology
   {
     // At most the last pulse that began before t and those that begin in the
     // step contribute.
-    int pulse = prm.frequency > 0 ?
-                  std::max(0,
-                           static_cast<int>(
-                             std::floor((t - prm.start) * prm.frequency)) -
-                             1) :
-                  0;
+    int pulse =
+      prm.frequency > 0
+        ? std::max(
+            0,
+            static_cast<int>(std::floor((t - prm.start) * prm.frequency)) - 1)
+        : 0;
     double covered = 0;
     for (; exists(pulse) && onset(pulse) < t + dt; ++pulse)
       covered += std::max(0.,
@@ -124,12 +122,12 @@ namespace ephyra::electrophysiology
       std::upper_bound(prm.epsc_times.begin(), prm.epsc_times.end(), t);
     if (epsc != prm.epsc_times.end())
       next = *epsc;
-    int pulse = prm.frequency > 0 ?
-                  std::max(0,
-                           static_cast<int>(
-                             std::floor((t - prm.start) * prm.frequency)) -
-                             1) :
-                  0;
+    int pulse =
+      prm.frequency > 0
+        ? std::max(
+            0,
+            static_cast<int>(std::floor((t - prm.start) * prm.frequency)) - 1)
+        : 0;
     for (; exists(pulse); ++pulse)
       for (const double edge : {onset(pulse), onset(pulse) + prm.duration})
         if (edge > t)

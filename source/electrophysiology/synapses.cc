@@ -77,9 +77,9 @@ namespace ephyra::electrophysiology
     lock_out          = prm.get_double("Lock-out time");
     reflux            = prm.get_bool("Reflux");
     reflux_threshold  = prm.get_double("Reflux threshold");
-    trigger_time      = prm.get("Trigger time") == "rounded" ?
-                          TriggerTime::rounded :
-                          TriggerTime::interpolated;
+    trigger_time      = prm.get("Trigger time") == "rounded"
+                          ? TriggerTime::rounded
+                          : TriggerTime::interpolated;
   }
 
   Synapses::Synapses(const Parameters &parameters,
@@ -118,8 +118,8 @@ namespace ephyra::electrophysiology
   }
 
   void
-  Synapses::advance(const double                 t,
-                    const double                 dt,
+  Synapses::advance(const double t,
+                    const double dt,
                     const double *__restrict__ v_old,
                     const double *__restrict__ v_new)
   {
@@ -150,10 +150,10 @@ namespace ephyra::electrophysiology
     if (crossings > 0)
       {
         const double end            = t + dt;
-        const auto   time_of_crossing = [&](const int i, const double threshold) {
-          return prm.trigger_time == TriggerTime::rounded ?
-                   end :
-                   t + dt * (threshold - v_old[i]) / (v_new[i] - v_old[i]);
+        const auto time_of_crossing = [&](const int i, const double threshold) {
+          return prm.trigger_time == TriggerTime::rounded
+                   ? end
+                   : t + dt * (threshold - v_old[i]) / (v_new[i] - v_old[i]);
         };
         for (int i = 0; i < n; ++i)
           {

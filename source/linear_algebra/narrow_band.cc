@@ -11,7 +11,8 @@ namespace ephyra::linear_algebra
     : n(n_rows)
     , width(half_bandwidth)
     , diagonals(static_cast<std::size_t>(2 * half_bandwidth + 1) * n_rows, 0.)
-  {}
+  {
+  }
 
   void
   NarrowBandMatrix::set_zero()
@@ -49,12 +50,12 @@ namespace ephyra::linear_algebra
   NarrowBandSolver::factorize(const NarrowBandMatrix &matrix,
                               const std::string      &what)
   {
-    n     = matrix.n_rows();
-    width = matrix.half_bandwidth();
+    n                    = matrix.n_rows();
+    width                = matrix.half_bandwidth();
     const int row_length = 2 * width + 1;
     // Rows with column j of row i at i * row_length + j - i + width.
     std::vector<double> rows(static_cast<std::size_t>(n) * row_length, 0.);
-    const auto          at = [&](const int i, const int j) -> double & {
+    const auto          at = [&](const int i, const int j) -> double          &{
       return rows[static_cast<std::size_t>(i) * row_length + j - i + width];
     };
     for (int i = 0; i < n; ++i)
@@ -69,9 +70,10 @@ namespace ephyra::linear_algebra
         const double pivot = at(i, i);
         EphyraThrowIf(pivot == 0. || !std::isfinite(pivot),
                       DivergedError,
-                      "The " << what << " cannot be factorised: its pivot in row "
-                             << i << " of " << n << " is " << pivot
-                             << "; check geometry, coefficients and time step.");
+                      "The "
+                        << what << " cannot be factorised: its pivot in row "
+                        << i << " of " << n << " is " << pivot
+                        << "; check geometry, coefficients and time step.");
         inverse_pivot[i] = 1. / pivot;
         const int last   = std::min(n - 1, i + width);
         for (int r = i + 1; r <= last; ++r)
@@ -92,7 +94,7 @@ namespace ephyra::linear_algebra
   NarrowBandSolver::solve_fixed(double *x) const
   {
     // A negative template argument stands for a width known at run time.
-    const int b = fixed_width >= 0 ? fixed_width : width;
+    const int b    = fixed_width >= 0 ? fixed_width : width;
     const int head = std::min(b, n);
     for (int i = 0; i < head; ++i)
       for (int k = std::max(0, b - i); k < b; ++k)
@@ -126,20 +128,20 @@ namespace ephyra::linear_algebra
   {
     switch (width)
       {
-        case 0:
-          for (int i = 0; i < n; ++i)
-            x[i] *= inverse_pivot[i];
-          return;
-        case 1:
-          return solve_fixed<1>(x);
-        case 2:
-          return solve_fixed<2>(x);
-        case 3:
-          return solve_fixed<3>(x);
-        case 4:
-          return solve_fixed<4>(x);
-        default:
-          return solve_fixed<-1>(x);
+      case 0:
+        for (int i = 0; i < n; ++i)
+          x[i] *= inverse_pivot[i];
+        return;
+      case 1:
+        return solve_fixed<1>(x);
+      case 2:
+        return solve_fixed<2>(x);
+      case 3:
+        return solve_fixed<3>(x);
+      case 4:
+        return solve_fixed<4>(x);
+      default:
+        return solve_fixed<-1>(x);
       }
   }
 } // namespace ephyra::linear_algebra

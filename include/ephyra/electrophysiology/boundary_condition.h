@@ -3,7 +3,6 @@
 #include "ephyra/base/expression.h"
 
 #include <limits>
-#include <optional>
 #include <string>
 
 namespace ephyra
@@ -33,10 +32,11 @@ namespace ephyra::electrophysiology
 
     explicit BoundaryCondition(const Parameters &parameters);
 
-    /// Potential at the end of a step from t to t + dt, V, where the step lies
-    /// within the time of holding.
-    std::optional<double>
-    held_potential(double t, double dt) const;
+    /// Whether a step from t to t + dt lies within the time of holding.
+    bool
+    holds(double t, double dt) const;
+    double
+    held_potential(double t) const; ///< V
     /// First start or end of holding later than t, s; infinite without one.
     double
     next_event(double t) const;

@@ -28,7 +28,10 @@ namespace ephyra::electrophysiology
   /// eqs. (31), (68)-(75) of Nitti et al. 2023 (10.1016/j.apm.2023.08.003).
   /// Diffusion by Crank-Nicolson, reaction by the second-order Adams-Bashforth
   /// method (variable steps; started with one predictor-corrector step), i_a
-  /// by its mean over the step, gates by Runge-Kutta 4 with v frozen.
+  /// by its mean over the step, gates by Runge-Kutta 4 with v frozen. Where an
+  /// end begins to be held, two Crank-Nicolson steps are replaced by four
+  /// backward Euler steps of half the size, which damp the jump and keep the
+  /// order (Rannacher 1984, Numerische Mathematik 43, 309).
   ///
   /// Everything is replicated: each rank computes all of it, and the first
   /// rank's state is copied to the others after each macro step.
@@ -65,8 +68,8 @@ namespace ephyra::electrophysiology
       /// Substep while nothing happens, s; 0: none.
       double resting_time_step = 0;
       /// What counts as nothing: max |dv/dt| for 1 ms, V/s.
-      double                      resting_rate = 0.02;
-      Placement                   placement    = Placement::greville_points;
+      double                      resting_rate   = 0.02;
+      Placement                   placement      = Placement::greville_points;
       GatePotential               gate_potential = GatePotential::midpoint;
       MonodomainOperator::Mass    mass = MonodomainOperator::Mass::consistent;
       MonodomainOperator::Measure measure =
@@ -112,7 +115,7 @@ namespace ephyra::electrophysiology
     /// From t to t + dt in substeps of equal size up to the parameter.
     StepStatus
     advance(double t, double dt);
-    long long
+    std::int64_t
     n_substeps() const
     {
       return substeps;
@@ -244,24 +247,26 @@ namespace ephyra::electrophysiology
     std::vector<double> gates;         ///< gate k of point i at k n_points + i
     std::vector<double> load;          ///< of the reaction, now
     std::vector<double> previous_load; ///< one step ago
-    double              previous_dt = 0; ///< 0: no step yet
-    double              quiet_time  = 0;
+    double              previous_dt       = 0; ///< 0: no step yet
+    double              quiet_time        = 0;
     double              epscs_given_until = -1;
-    long long           substeps    = 0;
+    std::int64_t        substeps          = 0;
+    std::int64_t        damped_steps      = 0; ///< still to come
 
     // The linear system, for one step size and kind of ends.
     linear_algebra::NarrowBandMatrix system_matrix;
     linear_algebra::NarrowBandSolver system;
-    double                           system_dt    = 0; ///< 0: none
-    bool                             start_held   = false;
-    bool                             end_held     = false;
+    double                           system_dt  = 0; ///< 0: none
+    bool                             start_held = false;
+    bool                             end_held   = false;
 
     // Work space.
-    std::vector<double> increment, old_v, points_v, old_points_v, middle_v,
-      gates_backup, combined_load, no_synapses;
+    std::vector<double> increment, part_increment, part_v, old_v, points_v,
+      old_points_v, middle_v, gates_backup, combined_load, no_synapses;
     std::optional<Synapses>     synapses_backup;
     mutable std::vector<double> point_values;
 
-    static constexpr double quiet_time_needed = 1e-3; ///< s
+    static constexpr double quiet_time_needed       = 1e-3; ///< s
+    static constexpr int    damped_steps_after_jump = 2;
   };
 } // namespace ephyra::electrophysiology

@@ -44,9 +44,9 @@ namespace ephyra::electrophysiology
 
     struct Parameters
     {
-      double capacitance = 1;                                ///< pF
-      double g_I = 345, g_FT = 39.8, g_ST = 27.2;            ///< nS
-      double g_SS = 10.8, g_L = 0.953;                       ///< nS
+      double capacitance = 1;                                  ///< pF
+      double g_I = 345, g_FT = 39.8, g_ST = 27.2;              ///< nS
+      double g_SS = 10.8, g_L = 0.953;                         ///< nS
       double E_I = 76.7, E_O = -84.6, E_L = -70, E_syn = 4.32; ///< mV
       /// Gates a to g.
       std::array<Gate, n_all_gates> gates{

@@ -136,8 +136,8 @@ namespace ephyra::electrophysiology
     assemble();
 
     std::vector<splines::NurbsPatch<1>> line; ///< none for an isolated cell
-    Mass                                mass_kind    = Mass::consistent;
-    Measure                             measure_kind = Measure::reference;
+    Mass                                mass_kind     = Mass::consistent;
+    Measure                             measure_kind  = Measure::reference;
     int                                 n             = 1;
     int                                 n_elements    = 1;
     int                                 n_per_element = 1;
@@ -150,13 +150,13 @@ namespace ephyra::electrophysiology
     // At Gauss point q of element e: function a at (q n_local + a) n_elements
     // + e; the others at e n_per_element + q.
     std::vector<double> values, derivatives;
-    std::vector<double> weight;           ///< Gauss weight in theta^1
+    std::vector<double> weight;            ///< Gauss weight in theta^1
     std::vector<double> reference_measure; ///< r dL/dtheta
     std::vector<double> G11, r;            ///< deformed
     std::vector<double> measure;           ///< weight r dL/dtheta, by points
 
     linear_algebra::NarrowBandMatrix mass_matrix, lumped_mass_matrix,
       stiffness_matrix, collocation_matrix;
-    mutable std::vector<double> shifted;  ///< work space
+    mutable std::vector<double> shifted; ///< work space
   };
 } // namespace ephyra::electrophysiology

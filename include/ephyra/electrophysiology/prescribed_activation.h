@@ -22,7 +22,7 @@ namespace ephyra::electrophysiology
       /// In s and t (s); used unless there is a table.
       std::string formula = "0.5*(1 - cos(2*pi*t))";
       /// Table of gamma(t), linear in between, constant beyond its ends.
-      std::vector<double> times;  ///< s, increasing
+      std::vector<double> times; ///< s, increasing
       std::vector<double> values;
       /// Repeats formula or table with this period, s; 0: not at all.
       double period = 0;

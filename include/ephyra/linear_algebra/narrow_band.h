@@ -25,12 +25,14 @@ namespace ephyra::linear_algebra
     double &
     operator()(const int row, const int column)
     {
-      return diagonals[static_cast<std::size_t>(column - row + width) * n + row];
+      return diagonals[static_cast<std::size_t>(column - row + width) * n +
+                       row];
     }
     double
     operator()(const int row, const int column) const
     {
-      return diagonals[static_cast<std::size_t>(column - row + width) * n + row];
+      return diagonals[static_cast<std::size_t>(column - row + width) * n +
+                       row];
     }
     void
     set_zero();
