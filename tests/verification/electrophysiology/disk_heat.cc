@@ -59,11 +59,11 @@ BOOST_AUTO_TEST_CASE(order_2_in_time)
 
 BOOST_AUTO_TEST_CASE(order_p_plus_1_in_space)
 {
-  // The reference has 1e-11; the time error is below 1e-9 at these steps.
+  // The time error is 7e-4 (dt / 0.1 s)^2, well below the errors in space.
   for (int degree = 1; degree <= 4; ++degree)
     {
-      const int    n  = degree < 4 ? 20 : 10;
-      const double dt = degree < 4 ? 1e-3 : 2e-4;
+      const int    n  = degree < 3 ? 20 : 10;
+      const double dt = degree < 3 ? 1e-3 : 2e-4;
       const double order =
         std::log2(error(degree, n, dt) / error(degree, 2 * n, dt));
       BOOST_TEST_MESSAGE("degree " << degree << ": order " << order);
