@@ -4,26 +4,32 @@ namespace ephyra::fluid
 {
   namespace
   {
-    /// Distance of the values beside face k, ghosts mirrored at the ends.
     double
-    distance(const GridLine &line, const int k, const bool periodic)
+    dv_r_dy(const VelocityField &velocity, const int i, const int j)
     {
-      if (periodic || (k > 0 && k < line.n_cells))
-        return line.centre_gap[k];
-      return k == 0 ? line.width.front() : line.width.back();
+      const StaggeredGrid &grid = velocity.grid();
+      return (velocity.r(i, j) - velocity.r(i, j - 1)) /
+             grid.y.mirrored_gap(j, grid.periodic_y);
+    }
+
+    double
+    dv_y_dr(const VelocityField &velocity, const int i, const int j)
+    {
+      return (velocity.y(i, j) - velocity.y(i - 1, j)) /
+             velocity.grid().r.mirrored_gap(i, false);
     }
   } // namespace
 
   double
   corner_vorticity(const VelocityField &velocity, const int i, const int j)
   {
-    if (i == 0)
-      return 0.;
-    const StaggeredGrid &grid = velocity.grid();
-    return (velocity.r(i, j) - velocity.r(i, j - 1)) /
-             distance(grid.y, j, grid.periodic_y) -
-           (velocity.y(i, j) - velocity.y(i - 1, j)) /
-             distance(grid.r, i, false);
+    return i == 0 ? 0. : dv_r_dy(velocity, i, j) - dv_y_dr(velocity, i, j);
+  }
+
+  double
+  corner_shear_rate(const VelocityField &velocity, const int i, const int j)
+  {
+    return i == 0 ? 0. : dv_r_dy(velocity, i, j) + dv_y_dr(velocity, i, j);
   }
 
   double

@@ -4,19 +4,6 @@
 
 namespace ephyra::fluid
 {
-  namespace
-  {
-    /// Distance of the centres beside face k where a ghost mirrors the cell at
-    /// the end of the line.
-    double
-    mirrored_gap(const GridLine &line, const int k, const bool periodic)
-    {
-      if (periodic || (k > 0 && k < line.n_cells))
-        return line.centre_gap[k];
-      return k == 0 ? line.width.front() : line.width.back();
-    }
-  } // namespace
-
   ViscousStencil
   radial_stencil_of_v_r(const StaggeredGrid &grid, const int i)
   {
@@ -36,9 +23,8 @@ namespace ephyra::fluid
   {
     const GridLine &r        = grid.r;
     const double    inv_area = 1. / (r.centre[i] * r.width[i]);
-    const double    minus    = r.face[i] * inv_area / mirrored_gap(r, i, false);
-    const double    plus =
-      r.face[i + 1] * inv_area / mirrored_gap(r, i + 1, false);
+    const double    minus    = r.face[i] * inv_area / r.mirrored_gap(i, false);
+    const double plus = r.face[i + 1] * inv_area / r.mirrored_gap(i + 1, false);
     return {minus, minus + plus, plus};
   }
 
@@ -65,8 +51,8 @@ namespace ephyra::fluid
     for (int j = 0; j < n; ++j)
       {
         inv_width[j] = 1. / grid.y.width[j];
-        cell_down[j] = inv_width[j] / mirrored_gap(grid.y, j, periodic);
-        cell_up[j]   = inv_width[j] / mirrored_gap(grid.y, j + 1, periodic);
+        cell_down[j] = inv_width[j] / grid.y.mirrored_gap(j, periodic);
+        cell_up[j]   = inv_width[j] / grid.y.mirrored_gap(j + 1, periodic);
       }
     for (int j = 0; j <= n; ++j)
       {
@@ -81,7 +67,7 @@ namespace ephyra::fluid
         mean_above[j]          = has_above ? 0.5 * above / gap : 0.;
         face_down[j]           = has_below ? 1. / (gap * below) : 0.;
         face_up[j]             = has_above ? 1. / (gap * above) : 0.;
-        gradient[j]            = 1. / mirrored_gap(grid.y, j, periodic);
+        gradient[j]            = 1. / grid.y.mirrored_gap(j, periodic);
       }
   }
 
@@ -137,7 +123,7 @@ namespace ephyra::fluid
         const ViscousStencil stencil = radial_stencil_of_v_r(grid, i);
         const double         visc_m = stencil.minus, visc_c = stencil.centre,
                      visc_p = stencil.plus;
-        const double grad   = factors.pressure / mirrored_gap(r, i, false);
+        const double grad   = factors.pressure / r.mirrored_gap(i, false);
 
         const double *const um = u.r.row(i - 1), *const uc = u.r.row(i),
                             *const up = u.r.row(i + 1);
@@ -272,7 +258,7 @@ namespace ephyra::fluid
                            const double            factor,
                            const int               i) const
   {
-    const double        scale = factor / mirrored_gap(grid.r, i, false);
+    const double        scale = factor / grid.r.mirrored_gap(i, false);
     const double *const below = phi.row(i - 1), *const above = phi.row(i);
     double *const v = u.r.row(i);
 #pragma GCC ivdep

@@ -56,6 +56,14 @@ namespace ephyra::fluid
   }
 
   double
+  GridLine::mirrored_gap(const int k, const bool periodic) const
+  {
+    if (periodic || (k > 0 && k < n_cells))
+      return centre_gap[k];
+    return k == 0 ? width.front() : width.back();
+  }
+
+  double
   GridLine::smallest_width() const
   {
     return *std::min_element(width.begin(), width.end());

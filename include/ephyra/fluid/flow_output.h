@@ -10,6 +10,10 @@ namespace ephyra::fluid
   double
   corner_vorticity(const VelocityField &velocity, int i, int j);
 
+  /// d v_r/dy + d v_y/dr at the same corner, 1/s.
+  double
+  corner_shear_rate(const VelocityField &velocity, int i, int j);
+
   /// omega in the centre of cell (i, j): the mean of its corners.
   double
   cell_vorticity(const VelocityField &velocity, int i, int j);

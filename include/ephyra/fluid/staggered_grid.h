@@ -26,6 +26,11 @@ namespace ephyra::fluid
     {
       return face.back() - face.front();
     }
+    /// Distance of the values beside face k where a ghost mirrors the cell at
+    /// the end of a line that is not periodic: a whole cell there, else
+    /// centre_gap.
+    double
+    mirrored_gap(int k, bool periodic) const;
     /// Smallest width of a cell, m.
     double
     smallest_width() const;
