@@ -27,7 +27,7 @@ namespace ephyra::elasticity
                       patterns::Bool(),
                       "Shortens corrections that overshoot.");
     prm.declare_entry("Factorisation reuse",
-                      "0.1",
+                      "0.3",
                       patterns::Double("", 0., 0.9),
                       "The factorised matrix is kept, also over time steps, "
                       "while an iteration reduces the residual to this "
@@ -94,6 +94,33 @@ namespace ephyra::elasticity
       }
     ++status.factorizations;
     factorized = true;
+    return true;
+  }
+
+  bool
+  Newton::follow(NonlinearProblem          &problem,
+                 std::vector<double>       &x,
+                 const std::vector<double> &jump)
+  {
+    const double h = 1e-6;
+    matrix.begin_assembly();
+    const auto here = problem.residual_and_tangent(x, r, matrix);
+    matrix.finish_assembly();
+    x_new = x;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x_new[i] += h * jump[i];
+    const auto   there = problem.residual(x_new, r_new);
+    NewtonStatus status;
+    if (!here.valid || !there.valid || !factorize(status))
+      return false;
+    for (std::size_t i = 0; i < x.size(); ++i)
+      r[i] += (r_new[i] - r[i]) / h;
+    solver->solve(r, correction);
+    for (double &c : correction)
+      c = -c;
+    problem.complete(correction);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] += correction[i] + jump[i];
     return true;
   }
 

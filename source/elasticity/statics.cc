@@ -134,9 +134,10 @@ namespace ephyra::elasticity
   }
 
   void
-  StaticsSolver::predict(const double level,
-                         const double old_level,
-                         const double older_level)
+  StaticsSolver::predict(const double      level,
+                         const double      old_level,
+                         const double      older_level,
+                         NonlinearProblem &problem)
   {
     u = u_old;
     if (old_level > older_level)
@@ -145,7 +146,17 @@ namespace ephyra::elasticity
         for (std::size_t i = 0; i < u.size(); ++i)
           u[i] += factor * (u_old[i] - u_older[i]);
       }
-    op.get_constraints().apply(u);
+    std::vector<double> jump = u;
+    op.get_constraints().apply(jump);
+    double largest = 0., size = 0.;
+    for (std::size_t i = 0; i < u.size(); ++i)
+      {
+        size = std::max(size, std::abs(jump[i]));
+        jump[i] -= u[i];
+        largest = std::max(largest, std::abs(jump[i]));
+      }
+    if (largest <= 1e-12 * size || !newton.follow(problem, u, jump))
+      op.get_constraints().apply(u);
   }
 
   StaticsSolver::Result
@@ -162,12 +173,12 @@ namespace ephyra::elasticity
         if (next > 1. - 1e-9)
           next = 1.;
         set_level(next, activation);
-        predict(next, level, older_level);
+        predict(next, level, older_level, problem);
         result.last = newton.solve(problem, u);
         if (!result.last.success && level > older_level)
           {
             // The extrapolation may be what failed.
-            predict(next, level, level);
+            predict(next, level, level, problem);
             result.last = newton.solve(problem, u);
           }
         result.iterations += result.last.iterations;

@@ -64,7 +64,7 @@ namespace ephyra::elasticity
       bool   line_search    = true;
       /// The factorisation is kept while an iteration reduces the residual to
       /// this fraction or less; 0: a new one for every iteration.
-      double reuse = 0.1;
+      double reuse = 0.3;
 
       static void
       declare(ParameterHandler &prm);
@@ -82,6 +82,15 @@ namespace ephyra::elasticity
     /// fails the status says why and x is the last iterate.
     NewtonStatus
     solve(NonlinearProblem &problem, std::vector<double> &x);
+
+    /// Moves x by a jump of the eliminated unknowns and by the answer of the
+    /// others to it, to first order: a start for solve() that keeps elements
+    /// from folding where displacements are prescribed. Returns whether x was
+    /// moved.
+    bool
+    follow(NonlinearProblem          &problem,
+           std::vector<double>       &x,
+           const std::vector<double> &jump);
 
     /// Drops the factorisation, so that what follows does not depend on what
     /// was solved before.

@@ -84,7 +84,10 @@ namespace ephyra::elasticity
     void
     set_level(double level, const Activation &activation);
     void
-    predict(double level, double old_level, double older_level);
+    predict(double            level,
+            double            old_level,
+            double            older_level,
+            NonlinearProblem &problem);
 
     Parameters          prm;
     ElasticityOperator  op;

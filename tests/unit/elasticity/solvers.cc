@@ -103,6 +103,42 @@ BOOST_AUTO_TEST_CASE(statics_ends_with_the_last_converged_level)
   BOOST_TEST(std::sqrt(norm) <= 2. * prm.newton.tolerance * evaluation.scale);
 }
 
+BOOST_AUTO_TEST_CASE(prescribed_displacements_do_not_fold_elements)
+{
+  // One step that moves the end by many element lengths.
+  StaticsSolver::Parameters prm;
+  prm.body.sides[0].fixed = prm.body.sides[1].fixed = {{false, true}};
+  prm.body.sides[1].displacement[1] = Expression("-0.2", variables);
+  const auto    patch               = test::tube(0., .3, 1., 2, {40, 3});
+  StaticsSolver solver(prm, patch, MPI_COMM_WORLD);
+  const auto    result = solver.run();
+  BOOST_TEST(result.success, result.reason);
+  BOOST_TEST(result.cut_backs == 0);
+  BOOST_TEST(solver.fields(.3, .5).displacement.y == -0.06,
+             boost::test_tools::tolerance(1e-8));
+}
+
+BOOST_AUTO_TEST_CASE(ranks_share_the_work)
+{
+  // The same on one rank as on all.
+  auto prm                    = cantilever("60");
+  prm.body.active_strain.form = ActiveStrain::Form::unit_directors;
+  const auto patch            = test::tube(.5, .8, 1., 3, {4, 2});
+  const auto gamma            = [](double, std::vector<double> &values) {
+    values.assign(values.size(), 1.);
+  };
+  StaticsSolver shared(prm, patch, MPI_COMM_WORLD);
+  StaticsSolver alone(prm, patch, MPI_COMM_SELF);
+  BOOST_TEST(shared.run(gamma).success);
+  BOOST_TEST(alone.run(gamma).success);
+  for (std::size_t i = 0; i < alone.displacement().size(); ++i)
+    BOOST_TEST(std::abs(shared.displacement()[i] - alone.displacement()[i]) <
+               1e-10);
+  BOOST_TEST(shared.measures().elastic_energy ==
+               alone.measures().elastic_energy,
+             boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(body_without_support_is_refused)
 {
   StaticsSolver::Parameters prm;
