@@ -146,6 +146,12 @@ namespace ephyra::elasticity
     measures(const std::vector<double> &u,
              const std::vector<double> &v,
              const std::vector<double> &gamma) const;
+    /// At the activation that was set last.
+    BodyMeasures
+    measures(const std::vector<double> &u, const std::vector<double> &v) const
+    {
+      return measures(u, v, gamma);
+    }
     /// Work that the muscle has done (J) when the activation went from
     /// @p gamma_old at @p u_old to @p gamma_new at @p u_new:
     /// -int (F_e^T P_e) : (dF_a F_a^-1) by the midpoint rule.
@@ -159,6 +165,13 @@ namespace ephyra::elasticity
            const std::vector<double> &gamma,
            double                     theta1,
            double                     theta2) const;
+    PointFields
+    fields(const std::vector<double> &u,
+           const double               theta1,
+           const double               theta2) const
+    {
+      return fields(u, gamma, theta1, theta2);
+    }
 
   private:
     Evaluation
