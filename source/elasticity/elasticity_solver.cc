@@ -228,9 +228,7 @@ namespace ephyra::elasticity
     mass_pattern.compress();
     const MPI_Comm               comm = op->communicator();
     linear_algebra::SparseMatrix mass(
-      mass_pattern,
-      linear_algebra::preferred_storage(mass_pattern, comm),
-      comm);
+      mass_pattern, linear_algebra::preferred_storage(mass_pattern), comm);
     mass.begin_assembly();
     op->add_mass(mass);
     mass.finish_assembly();

@@ -49,7 +49,7 @@ namespace ephyra::elasticity
                  const std::string                     &what)
     : prm(parameters)
     , comm(comm)
-    , matrix(pattern, linear_algebra::preferred_storage(pattern, comm), comm)
+    , matrix(pattern, linear_algebra::preferred_storage(pattern), comm)
     , solver(linear_algebra::make_direct_solver(matrix.storage(), what))
   {
   }

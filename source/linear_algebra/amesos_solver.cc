@@ -24,7 +24,7 @@ namespace ephyra::linear_algebra
       factorize(const SparseMatrix &sparse_matrix) override
       {
         const std::vector<double> norms = check_rows(sparse_matrix, what);
-        if (original != &sparse_matrix.implementation())
+        if (matrix_id != sparse_matrix.implementation().id)
           set_up(sparse_matrix);
         if (copy)
           original->copy_values_to(*copy);
@@ -81,6 +81,7 @@ namespace ephyra::linear_algebra
                       InputError,
                       "The sparse solver of "
                         << what << " needs a matrix in Tpetra storage.");
+        matrix_id = original->id;
         copy.reset();
         if (mpi::size(original->comm) > 1)
           copy = original->serial_structure();
@@ -93,7 +94,8 @@ namespace ephyra::linear_algebra
       }
 
       const std::string                  what;
-      const TpetraMatrix                *original = nullptr;
+      const TpetraMatrix                *original  = nullptr;
+      int                                matrix_id = 0;
       std::unique_ptr<TpetraMatrix>      copy;
       Teuchos::RCP<Solver>               solver;
       Teuchos::RCP<TpetraMatrix::Vector> x, b;

@@ -17,10 +17,6 @@ namespace ephyra::linear_algebra
     , values(full ? static_cast<std::size_t>(n_rows) * n_rows
                   : static_cast<std::size_t>(n_rows) * (stride + 1))
   {
-    EphyraThrowIf(mpi::size(comm) != 1,
-                  InputError,
-                  "A band matrix lives on one rank, not on "
-                    << mpi::size(comm) << "; use Tpetra storage.");
   }
 
   int
@@ -81,6 +77,8 @@ namespace ephyra::linear_algebra
   void
   BandMatrix::finish_assembly()
   {
+    if (mpi::size(comm) > 1)
+      mpi::sum_in_place(values, comm);
   }
 
   void

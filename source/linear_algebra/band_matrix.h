@@ -7,7 +7,7 @@ namespace ephyra::linear_algebra
   /// Band storage by rows: entry (i, j) with |i - j| <= b lies at
   /// offset + i * stride + j. This is LAPACK's column-wise band storage of the
   /// transposed matrix. Where the band would take more room than the full
-  /// matrix, all entries are stored (stride n, offset 0).
+  /// matrix, all entries are stored (stride n, offset 0). Every rank has all.
   struct BandMatrix final : SparseMatrix::Implementation
   {
     BandMatrix(const SparsityPattern &pattern, MPI_Comm comm);

@@ -1,7 +1,6 @@
 #include "ephyra/linear_algebra/direct_solver.h"
 
 #include "amesos_solver.h"
-#include "ephyra/base/mpi.h"
 #include "lapack_solver.h"
 
 namespace ephyra::linear_algebra
@@ -15,12 +14,10 @@ namespace ephyra::linear_algebra
   }
 
   SparseMatrix::Storage
-  preferred_storage(const SparsityPattern &pattern, const MPI_Comm comm)
+  preferred_storage(const SparsityPattern &pattern)
   {
-    // A wide band costs more than the sparse factors, unless it is small.
     const int  n      = pattern.n_rows();
-    const bool narrow = 6 * pattern.half_bandwidth() < n || n < 400;
-    return mpi::size(comm) == 1 && narrow ? SparseMatrix::Storage::band
-                                          : SparseMatrix::Storage::tpetra;
+    const bool narrow = 6 * pattern.half_bandwidth() < n || n < 1000;
+    return narrow ? SparseMatrix::Storage::band : SparseMatrix::Storage::tpetra;
   }
 } // namespace ephyra::linear_algebra

@@ -10,6 +10,7 @@ namespace ephyra::linear_algebra
     Implementation(const int n_rows, const MPI_Comm comm)
       : n_rows(n_rows)
       , comm(comm)
+      , id(next_id())
     {
     }
     virtual ~Implementation() = default;
@@ -29,6 +30,15 @@ namespace ephyra::linear_algebra
 
     const int      n_rows;
     const MPI_Comm comm;
+    const int      id; ///< no two matrices have the same
+
+  private:
+    static int
+    next_id()
+    {
+      static int last = 0;
+      return ++last;
+    }
   };
 
   std::unique_ptr<SparseMatrix::Implementation>

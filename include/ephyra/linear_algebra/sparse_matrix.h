@@ -36,22 +36,22 @@ namespace ephyra::linear_algebra
     contains(int row, int column) const;
   };
 
-  /// A square sparse matrix distributed over ranks by rows. It lives in one of
-  /// two forms chosen when it is made: a Tpetra::CrsMatrix (any communicator)
-  /// or, on one rank, LAPACK band storage (full storage where the band nearly
-  /// fills the matrix). Any rank may add to any entry of the pattern;
-  /// finish_assembly() sends the sums to the owners.
+  /// A square sparse matrix that the ranks of a communicator assemble
+  /// together. It lives in one of two forms chosen when it is made: a
+  /// Tpetra::CrsMatrix distributed by rows, or LAPACK band storage (full
+  /// storage where the band nearly fills the matrix), of which every rank has
+  /// all. Any rank may add to any entry of the pattern; finish_assembly() sums
+  /// what the ranks have added.
   class SparseMatrix
   {
   public:
     enum class Storage
     {
       tpetra,
-      band ///< one rank only
+      band ///< the same on every rank
     };
 
-    /// The pattern must be compressed and equal on all ranks. Throws
-    /// InputError for band storage on more than one rank.
+    /// The pattern must be compressed and equal on all ranks.
     SparseMatrix(const SparsityPattern &pattern,
                  Storage                storage,
                  MPI_Comm               comm);
