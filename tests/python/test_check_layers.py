@@ -56,6 +56,8 @@ class CheckLayers(unittest.TestCase):
     def test_pairing(self):
         self.assert_one({"source/fluid/a.cc": "namespace ephyra::fluid\n{}\n"},
                         "its header include/ephyra/fluid/a.h is missing")
+        part = {"source/fluid/b.cc": '#include "ephyra/fluid/a.h"\nnamespace ephyra::fluid\n{}\n'}
+        self.assertEqual(self.violations({**self.header("fluid"), **part}), [])
 
     def test_namespace_and_guard(self):
         self.assert_one({"include/ephyra/fluid/a.h": "#pragma once\n"}, "namespace")
