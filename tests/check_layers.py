@@ -6,7 +6,7 @@
   - Headers of Trilinos, HDF5 and muParser stay in the sources of one folder.
   - source/X/y.cc has its header include/ephyra/X/y.h, or source/X/y.h where
     nobody else needs it; or it is a part of what another header of the folder
-    declares, which it then includes first.
+    declares.
   - Headers carry `#pragma once`; all name the namespace of their folder.
   - No source file is longer than MAX_LINES lines.
 
@@ -68,8 +68,7 @@ def check_pairing(root, path, parts, text, report):
     header = pathlib.Path("include", "ephyra", *parts[1:]).with_suffix(".h")
     if (root / header).exists() or path.with_suffix(".h").exists():
         return
-    included = INCLUDE.findall(text)
-    if not included or not included[0].startswith(f"ephyra/{parts[1]}/"):
+    if not any(name.startswith(f"ephyra/{parts[1]}/") for name in INCLUDE.findall(text)):
         report(f"{'/'.join(parts)}: its header {header.as_posix()} is missing")
 
 
