@@ -37,7 +37,11 @@ def show_body(path, view):
     display.Representation = "Surface"
     display.NonlinearSubdivisionLevel = SUBDIVISION
     name = field_of(body, "activation")
-    simple.ColorBy(display, ("POINTS", name) if name else None)
+    if name:
+        simple.ColorBy(display, ("POINTS", name))
+    else:
+        display.ColorArrayName = ["POINTS", ""]
+        display.AmbientColor = display.DiffuseColor = [0.3, 0.3, 0.3]
     return body
 
 
