@@ -35,11 +35,17 @@ namespace ephyra::fluid
     }
   } // namespace
 
+  Boundary::Formula::Formula(const std::string &text)
+    : zero(Expression(text, {"s", "t"}).is_zero())
+    , expression(text, {"s", "t"})
+  {
+  }
+
   Boundary::Formulas::Formulas(const SideParameters &parameters)
     : kind(parameters.kind)
-    , radial(parameters.radial_velocity, {"s", "t"})
-    , axial(parameters.axial_velocity, {"s", "t"})
-    , pressure(parameters.pressure, {"s", "t"})
+    , radial(parameters.radial_velocity)
+    , axial(parameters.axial_velocity)
+    , pressure(parameters.pressure)
     , steady(!holds_time(parameters.radial_velocity) &&
              !holds_time(parameters.axial_velocity) &&
              !holds_time(parameters.pressure))
@@ -106,11 +112,6 @@ namespace ephyra::fluid
       {
         if (evaluated && side.steady)
           continue;
-        std::vector<double> point{0., t};
-        const auto evaluate = [&](const Expression &formula, const double s) {
-          point[0] = s;
-          return formula.is_zero() ? 0. : formula(point);
-        };
         const bool moving = side.kind == SideKind::velocity;
         const bool open   = side.kind == SideKind::pressure;
         if (&side == &sides[outer])
@@ -124,11 +125,11 @@ namespace ephyra::fluid
                   grid.y.centre[std::min(j, grid.y.n_cells - 1)];
                 if (moving)
                   {
-                    side.radial_values[j] = evaluate(side.radial, centre);
-                    side.axial_values[j]  = evaluate(side.axial, face);
+                    side.radial_values[j] = side.radial(centre, t);
+                    side.axial_values[j]  = side.axial(face, t);
                   }
                 if (open)
-                  side.pressure_values[j] = evaluate(side.pressure, centre);
+                  side.pressure_values[j] = side.pressure(centre, t);
               }
           }
         else
@@ -138,14 +139,12 @@ namespace ephyra::fluid
             {
               if (moving)
                 {
-                  side.radial_values[slot(i)] =
-                    evaluate(side.radial, grid.r.face[i]);
-                  side.axial_values[slot(i)] =
-                    evaluate(side.axial, grid.r.centre[i]);
+                  side.radial_values[slot(i)] = side.radial(grid.r.face[i], t);
+                  side.axial_values[slot(i)]  = side.axial(grid.r.centre[i], t);
                 }
               if (open)
                 side.pressure_values[slot(i)] =
-                  evaluate(side.pressure, grid.r.centre[i]);
+                  side.pressure(grid.r.centre[i], t);
             }
       }
     evaluated = true;
@@ -189,10 +188,9 @@ namespace ephyra::fluid
     for (const Side side : {lower, upper, outer})
       {
         const Formulas &s = sides[side];
-        flow_through =
-          flow_through || s.kind == SideKind::outflow ||
-          (s.kind == SideKind::velocity &&
-           !(side == outer ? s.radial.is_zero() : s.axial.is_zero()));
+        flow_through      = flow_through || s.kind == SideKind::outflow ||
+                       (s.kind == SideKind::velocity &&
+                        !(side == outer ? s.radial.zero : s.axial.zero));
         open = open || s.kind == SideKind::pressure;
       }
     if (!flow_through)

@@ -48,12 +48,12 @@ namespace ephyra::fluid
     , phi(the_grid)
   {
     const auto component = [](const std::string &formula) -> Component {
-      return [expression = Expression(formula, {"r", "y"}),
-              point      = std::vector<double>(2)](const double r,
-                                              const double y) mutable {
-        point[0] = r;
-        point[1] = y;
-        return expression.is_zero() ? 0. : expression(point);
+      const auto expression = std::make_shared<const Expression>(
+        formula, std::vector<std::string>{"r", "y"});
+      if (expression->is_zero())
+        return [](double, double) { return 0.; };
+      return [expression](const double r, const double y) {
+        return (*expression)({r, y});
       };
     };
     set_initial_velocity(component(parameters.initial_radial_velocity),

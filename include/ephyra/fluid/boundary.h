@@ -74,12 +74,27 @@ namespace ephyra::fluid
     tangential(Side side, int index) const;
 
   private:
+    /// A formula in (s, t); a plain zero costs nothing.
+    class Formula
+    {
+    public:
+      explicit Formula(const std::string &text);
+      double
+      operator()(const double s, const double t) const
+      {
+        return zero ? 0. : expression({s, t});
+      }
+      const bool zero;
+
+    private:
+      Expression expression;
+    };
     struct Formulas
     {
       explicit Formulas(const SideParameters &parameters);
-      SideKind   kind;
-      Expression radial, axial, pressure;
-      bool       steady; ///< no formula holds t
+      SideKind kind;
+      Formula  radial, axial, pressure;
+      bool     steady; ///< no formula holds t
 
       std::vector<double> radial_values, axial_values, pressure_values;
     };
