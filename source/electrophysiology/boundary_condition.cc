@@ -15,7 +15,7 @@ namespace ephyra::electrophysiology
                       "Natural condition, or the potential held.");
     prm.declare_entry("Potential",
                       Parameters().potential,
-                      patterns::Expression({"t"}, "V"),
+                      patterns::TimeFunction("V"),
                       "Held potential as a function of time.");
     prm.declare_entry("Start time",
                       "0 s",
@@ -44,7 +44,7 @@ namespace ephyra::electrophysiology
 
   BoundaryCondition::BoundaryCondition(const Parameters &parameters)
     : prm(parameters)
-    , potential(parameters.potential, {"t"})
+    , potential(parameters.potential, "V")
   {
   }
 

@@ -310,6 +310,10 @@ namespace ephyra::electrophysiology
   double
   MnnNeuron::fastest_rate() const
   {
-    return ms_per_s * 0.25 * prm.g_I / prm.capacitance;
+    // Steps of 50 us are stable and 60 us are not with the default parameters,
+    // on every mesh and in every placement: 18/ms, a share of the sum of all
+    // conductances.
+    const double sum = prm.g_I + prm.g_FT + prm.g_ST + prm.g_SS + prm.g_L;
+    return ms_per_s * 0.043 * sum / prm.capacitance;
   }
 } // namespace ephyra::electrophysiology

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ephyra/base/expression.h"
+#include "ephyra/base/time_function.h"
 
 #include <limits>
 #include <string>
@@ -19,7 +19,7 @@ namespace ephyra::electrophysiology
     struct Parameters
     {
       bool        holds_potential = false;
-      std::string potential       = "-69e-3"; ///< V, formula in t
+      std::string potential       = "-69 mV"; ///< see TimeFunction
       double      start           = 0;        ///< s
       double      end = std::numeric_limits<double>::infinity(); ///< s
 
@@ -42,7 +42,7 @@ namespace ephyra::electrophysiology
     next_event(double t) const;
 
   private:
-    Parameters prm;
-    Expression potential;
+    Parameters   prm;
+    TimeFunction potential;
   };
 } // namespace ephyra::electrophysiology

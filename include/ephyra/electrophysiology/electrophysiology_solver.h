@@ -241,6 +241,7 @@ namespace ephyra::electrophysiology
     std::vector<Probe>          probes;
     std::vector<double>         stimulus_load;
     std::vector<int>            stimulated_points;
+    bool                        may_rest = false;
 
     // State.
     std::vector<double> v;             ///< control coefficients

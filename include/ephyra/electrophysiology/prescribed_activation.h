@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ephyra/base/expression.h"
+#include "ephyra/base/time_function.h"
 
 #include <string>
 #include <vector>
@@ -12,20 +13,17 @@ namespace ephyra
 
 namespace ephyra::electrophysiology
 {
-  /// Muscle activation gamma(s, t) given by a formula or a table in time
-  /// instead of being computed; s = theta^1.
+  /// Muscle activation that is given instead of computed,
+  ///
+  ///   gamma(s, t) = profile(s, t) course(t),   s = theta^1.
   class PrescribedActivation
   {
   public:
     struct Parameters
     {
-      /// In s and t (s); used unless there is a table.
-      std::string formula = "0.5*(1 - cos(2*pi*t))";
-      /// Table of gamma(t), linear in between, constant beyond its ends.
-      std::vector<double> times; ///< s, increasing
-      std::vector<double> values;
-      /// Repeats formula or table with this period, s; 0: not at all.
-      double period = 0;
+      std::string profile = "1";
+      /// Formula in t (s) or table, see TimeFunction.
+      std::string course = "0.5*(1 - cos(2*pi*t))";
 
       static void
       declare(ParameterHandler &prm);
@@ -33,7 +31,7 @@ namespace ephyra::electrophysiology
       parse(ParameterHandler &prm);
     };
 
-    /// Throws InputError for a table that is not one.
+    /// Throws InputError for a formula or table that is none.
     explicit PrescribedActivation(const Parameters &parameters);
 
     double
@@ -45,10 +43,7 @@ namespace ephyra::electrophysiology
              std::vector<double>       &gamma) const;
 
   private:
-    double
-    table_value(double t) const;
-
-    Parameters prm;
-    Expression expression;
+    Expression   profile;
+    TimeFunction course;
   };
 } // namespace ephyra::electrophysiology

@@ -1,0 +1,253 @@
+#include "ephyra/electrophysiology/electrophysiology_solver.h"
+
+#include "ephyra/base/exceptions.h"
+#include "ephyra/base/memory_archive.h"
+#include "ephyra/base/mpi.h"
+#include "ephyra/base/parameter_handler.h"
+
+#include "straight_line.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <cmath>
+
+using namespace ephyra;
+using namespace ephyra::electrophysiology;
+using Parameters = ElectrophysiologySolver::Parameters;
+
+namespace
+{
+  /// A short cable excited at its start.
+  Parameters
+  excited()
+  {
+    Parameters prm;
+    prm.time_step         = 10e-6;
+    prm.stimulus.interval = {{0., 0.1}};
+    prm.stimulus.current  = 0.5;
+    return prm;
+  }
+
+  splines::NurbsPatch<1>
+  cable(const int n_elements = 60)
+  {
+    return straight_line({15e-3, 0}, {15e-3, 3e-3}, 3, n_elements);
+  }
+
+  void
+  run(ElectrophysiologySolver &solver, const double from, const double to)
+  {
+    const int n = static_cast<int>(std::round((to - from) / 0.5e-3));
+    for (int i = 0; i < n; ++i)
+      {
+        const StepStatus status = solver.advance(from + i * 0.5e-3, 0.5e-3);
+        BOOST_REQUIRE_MESSAGE(status.success, status.reason);
+      }
+  }
+} // namespace
+
+BOOST_AUTO_TEST_SUITE(electrophysiology_solver)
+
+BOOST_AUTO_TEST_CASE(a_restored_state_continues_to_the_last_bit)
+{
+  for (const Placement placement : {Placement::control_coefficients,
+                                    Placement::greville_points,
+                                    Placement::quadrature_points})
+    {
+      Parameters prm = excited();
+      prm.placement  = placement;
+      ElectrophysiologySolver first(prm, cable(), MPI_COMM_WORLD);
+      const std::size_t       n_metric = first.metric_points().size();
+      first.set_deformed_metric(std::vector<double>(n_metric, 1.1e-5),
+                                std::vector<double>(n_metric, 15e-3));
+      run(first, 0, 5e-3);
+      MemoryArchive archive;
+      archive.begin_writing();
+      first.serialize(archive);
+      ElectrophysiologySolver second(prm, cable(), MPI_COMM_WORLD);
+      archive.begin_reading();
+      second.serialize(archive);
+      run(first, 5e-3, 15e-3);
+      run(second, 5e-3, 15e-3);
+      BOOST_TEST(first.potential() == second.potential());
+      BOOST_TEST(first.n_substeps() == second.n_substeps());
+      std::vector<double> gamma_1, gamma_2;
+      first.activation(15e-3, gamma_1);
+      second.activation(15e-3, gamma_2);
+      BOOST_TEST(gamma_1 == gamma_2);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(all_ranks_have_the_same_state)
+{
+  ElectrophysiologySolver solver(excited(), cable(), MPI_COMM_WORLD);
+  run(solver, 0, 5e-3);
+  for (const double v : solver.potential())
+    {
+      BOOST_TEST(mpi::max(v, MPI_COMM_WORLD) == v);
+      BOOST_TEST(mpi::min(v, MPI_COMM_WORLD) == v);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(unexcited_tissue_stays_at_rest_in_few_steps)
+{
+  Parameters prm       = excited();
+  prm.stimulus.current = 0;
+  ElectrophysiologySolver solver(prm, cable(), MPI_COMM_WORLD);
+  const double            rest = solver.ionic_model()->rest_potential();
+  run(solver, 0, 0.2);
+  for (const double v : solver.potential())
+    BOOST_TEST(std::abs(v - rest) < 1e-9);
+  BOOST_TEST(solver.resting());
+  BOOST_TEST(solver.n_substeps() < 1000);
+}
+
+BOOST_AUTO_TEST_CASE(resting_steps_change_neither_arrival_nor_activation)
+{
+  Parameters prm         = excited();
+  prm.stimulus.frequency = 4;
+  ElectrophysiologySolver sleeping(prm, cable(), MPI_COMM_WORLD);
+  prm.resting_time_step = 0;
+  ElectrophysiologySolver awake(prm, cable(), MPI_COMM_WORLD);
+  for (ElectrophysiologySolver *solver : {&sleeping, &awake})
+    {
+      solver->add_crossing_probe(0.8, 0.);
+      run(*solver, 0, 0.3);
+    }
+  BOOST_TEST(sleeping.n_substeps() < awake.n_substeps() / 2);
+  BOOST_REQUIRE(sleeping.crossing_times(0).size() == 2u);
+  for (int i = 0; i < 2; ++i)
+    BOOST_TEST(std::abs(sleeping.crossing_times(0)[i] -
+                        awake.crossing_times(0)[i]) < 1e-7);
+  std::vector<double> gamma_1, gamma_2;
+  sleeping.activation(0.3, gamma_1);
+  awake.activation(0.3, gamma_2);
+  BOOST_TEST(gamma_1[10] > 0.1);
+  for (std::size_t i = 0; i < gamma_1.size(); ++i)
+    BOOST_TEST(std::abs(gamma_1[i] - gamma_2[i]) < 1e-4);
+}
+
+BOOST_AUTO_TEST_CASE(activation_starts_continuously_and_peaks_at_one)
+{
+  ElectrophysiologySolver solver(excited(), cable(), MPI_COMM_WORLD);
+  std::vector<double>     gamma;
+  double                  before = 0, peak = 0, jump = 0;
+  for (int i = 0; i < 700; ++i)
+    {
+      BOOST_REQUIRE(solver.advance(i * 2e-3, 2e-3).success);
+      solver.activation((i + 1) * 2e-3, gamma);
+      const double middle = gamma[gamma.size() / 2];
+      jump                = std::max(jump, std::abs(middle - before));
+      peak                = std::max(peak, middle);
+      before              = middle;
+    }
+  BOOST_TEST(std::abs(peak - 1.) < 0.03);
+  BOOST_TEST(jump < 0.02);
+  BOOST_TEST(before < 0.03);
+}
+
+BOOST_AUTO_TEST_CASE(a_held_end_launches_a_wave_and_lets_go)
+{
+  Parameters prm            = excited();
+  prm.stimulus.current      = 0;
+  prm.start.holds_potential = true;
+  prm.start.potential       = "-69 mV";
+  prm.start.start           = 1e-3;
+  prm.start.end             = 2e-3;
+  ElectrophysiologySolver solver(prm, cable(), MPI_COMM_WORLD);
+  const int               probe = solver.add_crossing_probe(0.9, 0.);
+  run(solver, 0, 1.5e-3);
+  BOOST_TEST(solver.potential()[0] == -69e-3,
+             boost::test_tools::tolerance(1e-12));
+  run(solver, 1.5e-3, 20e-3);
+  BOOST_TEST(solver.crossing_times(probe).size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_too_large_ends_with_the_limit)
+{
+  Parameters prm = excited();
+  prm.time_step  = 200e-6;
+  ElectrophysiologySolver solver(prm, cable(), MPI_COMM_WORLD);
+  StepStatus              status;
+  for (int i = 0; i < 20 && status.success; ++i)
+    status = solver.advance(i * 1e-3, 1e-3);
+  BOOST_TEST(!status.success);
+  BOOST_TEST(status.reason.find("reduce \"Electrophysiology/Time step\"") !=
+             std::string::npos);
+  BOOST_TEST(status.reason.find("5.") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_too_coarse_for_the_front_is_found_before_the_run)
+{
+  BOOST_TEST(ElectrophysiologySolver(excited(), cable(60), MPI_COMM_WORLD)
+               .resolution_problem()
+               .empty());
+  BOOST_TEST(ElectrophysiologySolver(excited(), cable(10), MPI_COMM_WORLD)
+               .resolution_problem()
+               .find("refine to") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(an_isolated_cell_needs_an_ionic_model)
+{
+  Parameters prm;
+  prm.model = ElectrophysiologySolver::Model::none;
+  BOOST_CHECK_THROW(ElectrophysiologySolver(prm, MPI_COMM_WORLD), InputError);
+}
+
+BOOST_AUTO_TEST_CASE(currents_add_up_to_the_rate_of_the_potential)
+{
+  Parameters prm          = excited();
+  prm.stimulus.current    = 0;
+  prm.stimulus.epsc_times = {0.};
+  ElectrophysiologySolver neuron(prm, MPI_COMM_WORLD);
+  run(neuron, 0, 2e-3);
+  double sum = 0;
+  for (const double current : neuron.currents(0))
+    sum += current;
+  const double before = neuron.potential()[0], dt = 1e-6;
+  BOOST_REQUIRE(neuron.advance(2e-3, dt).success);
+  // A/m^3 over F/m^3; the neuron is per volume of tissue here.
+  BOOST_TEST((neuron.potential()[0] - before) / dt == -sum / prm.capacitance,
+             boost::test_tools::tolerance(1e-2));
+}
+
+BOOST_AUTO_TEST_CASE(parameters_are_read_in_units)
+{
+  ParameterHandler prm;
+  Parameters::declare(prm);
+  prm.read_text("subsection Electrophysiology\n"
+                "  set Conductivity = 2e-5 uS/mm\n"
+                "  set Time step = 10 us\n"
+                "  set Placement = quadrature points\n"
+                "  subsection Jellyfish neuron\n"
+                "    set Conductance I = 300 nS\n"
+                "  end\n"
+                "  subsection Stimulus\n"
+                "    set Current = 0.2 nA/mm^3\n"
+                "    set EPSC times = 1 ms, 3 ms\n"
+                "  end\n"
+                "  subsection Start of the line\n"
+                "    set Type = potential\n"
+                "    set Potential = -69 mV\n"
+                "    set End time = 1 ms\n"
+                "  end\n"
+                "end\n",
+                "test");
+  Parameters parameters;
+  parameters.parse(prm);
+  prm.throw_errors();
+  const auto close = boost::test_tools::tolerance(1e-12);
+  BOOST_TEST(parameters.conductivity == 2e-8, close);
+  BOOST_TEST(parameters.capacitance == 1e-3, close);
+  BOOST_TEST(parameters.time_step == 10e-6, close);
+  BOOST_TEST((parameters.placement == Placement::quadrature_points));
+  BOOST_TEST(parameters.neuron.g_I == 300., close);
+  BOOST_TEST(parameters.neuron.E_O == -84.6, close);
+  BOOST_TEST(parameters.synapses.conductance == 75e-9, close);
+  BOOST_TEST(parameters.stimulus.current == 0.2, close);
+  BOOST_TEST(parameters.stimulus.epsc_times.at(1) == 3e-3, close);
+  BOOST_TEST(parameters.start.end == 1e-3, close);
+  BOOST_TEST(parameters.diffusivity() == 2e-5, close);
+}
+
+BOOST_AUTO_TEST_SUITE_END()
