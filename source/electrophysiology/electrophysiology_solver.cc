@@ -323,14 +323,15 @@ namespace ephyra::electrophysiology
           limit = std::min(limit, stimulus.next_event(now + tiny));
         const double largest =
           was_resting ? prm.resting_time_step : prm.time_step;
-        const double begin = now;
-        const auto   n_steps =
-          static_cast<long long>(std::ceil((limit - begin) / largest - 1e-6));
-        const double h = (limit - begin) / std::max(1LL, n_steps);
-        for (long long i = 0; i < std::max(1LL, n_steps); ++i)
+        const double begin   = now;
+        const auto   n_steps = std::max<std::int64_t>(
+          1, std::lround(std::ceil((limit - begin) / largest - 1e-6)));
+        const double h = (limit - begin) / static_cast<double>(n_steps);
+        for (std::int64_t i = 0; i < n_steps; ++i)
           {
             substep(now, h);
-            now = i + 1 < n_steps ? begin + (i + 1) * h : limit;
+            now =
+              i + 1 < n_steps ? begin + static_cast<double>(i + 1) * h : limit;
             if (substeps % 64 == 0 && blown_up())
               return StepStatus::failure(failure_reason(now, h));
             if (resting() != was_resting)

@@ -65,10 +65,10 @@ namespace ephyra::electrophysiology
       double conductivity = 1.3745e-8; ///< D_0, S/m
       double capacitance  = 1e-3;      ///< C_m per volume, F/m^3
       double time_step    = 5e-6;      ///< largest substep Delta t_e, s
-      /// Substep while nothing happens, s; 0: none.
-      double resting_time_step = 0;
-      /// What counts as nothing: max |dv/dt| for 1 ms, V/s.
-      double                      resting_rate   = 0.02;
+      /// Substep while neurons rest, s; 0: always the time step.
+      double resting_time_step = 0.25e-3;
+      /// What counts as rest: max |dv/dt| for 1 ms, V/s.
+      double                      resting_rate   = 0.1;
       Placement                   placement      = Placement::greville_points;
       GatePotential               gate_potential = GatePotential::midpoint;
       MonodomainOperator::Mass    mass = MonodomainOperator::Mass::consistent;
