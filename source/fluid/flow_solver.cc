@@ -2,6 +2,7 @@
 
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/log.h"
+#include "ephyra/base/timer_tree.h"
 #include "ephyra/fluid/flow_output.h"
 
 #include <algorithm>
@@ -47,6 +48,14 @@ namespace ephyra::fluid
     , new_pressure(the_grid)
     , phi(the_grid)
   {
+    std::ostringstream text;
+    text << "Flow: " << the_grid.r.n_cells << " x " << the_grid.y.n_cells
+         << " cells, smallest " << the_grid.r.smallest_width() << " m x "
+         << the_grid.y.smallest_width() << " m, largest stretching ratio "
+         << the_grid.r.largest_ratio() << " and " << the_grid.y.largest_ratio()
+         << ", Poisson solver \"" << poisson_solver->name() << "\".";
+    log().line(text.str());
+
     const auto component = [](const std::string &formula) -> Component {
       const auto expression = std::make_shared<const Expression>(
         formula, std::vector<std::string>{"r", "y"});
@@ -228,6 +237,7 @@ namespace ephyra::fluid
   void
   FlowSolver::predict(const unsigned int k)
   {
+    const TimerTree::Scope scope(timer(), "momentum", n_cells());
     if (projected)
       {
         std::swap(old_pressure, new_pressure);
@@ -282,7 +292,8 @@ namespace ephyra::fluid
         update_ghosts();
         return;
       }
-    const double step =
+    const TimerTree::Scope scope(timer(), "projection", n_cells());
+    const double           step =
       parameters.project_every_substep ? stage_dt(k) : time_step;
     current.r.exchange_halo();
     boundary.fill_ghosts(current);

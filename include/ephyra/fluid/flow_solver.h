@@ -139,6 +139,11 @@ namespace ephyra::fluid
     {
       double alpha, beta, gamma, end; ///< end: time of the end over dt
     };
+    double
+    n_cells() const
+    {
+      return static_cast<double>(the_grid.r.n_cells) * the_grid.y.n_cells;
+    }
     StageCoefficients
     stage(unsigned int k) const;
     void
