@@ -80,7 +80,7 @@ namespace ephyra::elasticity
         residual,
         tangent,
         s.alpha.alpha_f * s.alpha.beta * dt * dt,
-        s.alpha.alpha_m - s.alpha.alpha_f * load.inertia_ratio);
+        s.alpha.alpha_m - load_weight() * load.inertia_ratio);
       if (load.added && mpi::rank(s.op->communicator()) == 0)
         {
           using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
@@ -92,7 +92,7 @@ namespace ephyra::elasticity
                 const int j =
                   constraints.equation(static_cast<int>(entry.col()));
                 if (i >= 0 && j >= 0 && s.pattern.contains(i, j))
-                  tangent.add(i, j, -s.alpha.alpha_f * entry.value());
+                  tangent.add(i, j, -load_weight() * entry.value());
               }
         }
       return finish(result, residual);
@@ -127,6 +127,13 @@ namespace ephyra::elasticity
     }
 
   private:
+    /// Of the load at n + 1 beside that at n.
+    double
+    load_weight() const
+    {
+      return load.at_new_level ? 1. : s.alpha.alpha_f;
+    }
+
     void
     weight(const std::vector<double> &x)
     {
@@ -145,7 +152,7 @@ namespace ephyra::elasticity
            std::vector<double>                  &residual)
     {
       Evaluation   out = internal::admissibility(*s.op, result);
-      const double w   = s.alpha.alpha_f;
+      const double w   = load_weight();
       inertia.assign(a.size(), 0.);
       s.op->add_inertia(a, inertia);
       interface_force(s.next.a, f);

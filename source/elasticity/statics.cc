@@ -63,8 +63,6 @@ namespace ephyra::elasticity
   void
   StaticsSolver::Parameters::declare(ParameterHandler &prm)
   {
-    ElasticityOperator::Parameters::declare(prm);
-    Newton::Parameters::declare(prm);
     ParameterHandler::Section section(prm, "Statics");
     prm.declare_entry("Load steps",
                       "10",
@@ -91,8 +89,6 @@ namespace ephyra::elasticity
   void
   StaticsSolver::Parameters::parse(ParameterHandler &prm)
   {
-    body.parse(prm);
-    newton.parse(prm);
     ParameterHandler::Section section(prm, "Statics");
     n_steps       = prm.get_integer("Load steps");
     end_time      = prm.get_double("End time");

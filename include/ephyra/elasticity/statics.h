@@ -24,6 +24,8 @@ namespace ephyra::elasticity
       /// Smallest increment of the level before giving up.
       double smallest_step = 1e-4;
 
+      /// Only the entries of the subsection "Statics": body and Newton's method
+      /// are those of ElasticitySolver::Parameters.
       static void
       declare(ParameterHandler &prm);
       void
