@@ -1,0 +1,89 @@
+#pragma once
+
+#include "ephyra/base/parameter_handler.h"
+#include "ephyra/coupling/acceleration.h"
+#include "ephyra/coupling/deformable_body.h"
+#include "ephyra/coupling/scheme.h"
+#include "ephyra/coupling/wet_surface.h"
+#include "ephyra/fluid/flow_solver.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ephyra::coupling
+{
+  /// Section "Coupling".
+  struct CouplingParameters
+  {
+    enum class SchemeKind
+    {
+      automatic, ///< forcing as load where the body is not lighter, else fixed
+                 ///< point
+      sequential,
+      forcing_as_load,
+      fixed_point
+    };
+    enum class LoadKind
+    {
+      probes,
+      forcing
+    };
+
+    SchemeKind scheme    = SchemeKind::automatic;
+    LoadKind   load      = LoadKind::probes; ///< sequential scheme
+    double     tolerance = 1e-3; ///< fixed point: relative change of load
+    double     absolute_tolerance = 1e-12; ///< N
+    int        maximum_iterations = 50;
+    Acceleration::Parameters acceleration;
+
+    static void
+    declare(ParameterHandler &prm);
+    void
+    parse(ParameterHandler &prm);
+  };
+
+  /// What the schemes for a deformable body in a flow share: the three parts
+  /// and the way in which one step of the flow answers a motion of the body.
+  class FluidStructureScheme : public Scheme
+  {
+  public:
+    FluidStructureScheme(fluid::FlowSolver &flow,
+                         DeformableBody    &body,
+                         WetSurface        &surface);
+
+    void
+    serialize(Archive &archive) override;
+    void
+    evaluate(Record &record) override;
+    void
+    evaluate_iterations(Record &record) const override;
+
+  protected:
+    /// Nerve net and muscle first, then the explicit part of the flow (u*) and
+    /// the geometry of the markers, frozen at the extrapolated position.
+    StepStatus
+    prepare(double t, double dt);
+    /// Forcing for the present motion of the markers, and projection, for the
+    /// stage that was predicted.
+    void
+    force_and_project(unsigned int stage);
+    /// Body and flow go on to the new level.
+    void
+    accept(const std::vector<double> &new_load);
+
+    fluid::FlowSolver  &flow;
+    DeformableBody     &body;
+    WetSurface         &surface;
+    std::vector<double> load;           ///< at the last accepted level, N
+    StepStatus          last;           ///< of the last accepted step
+    double              relaxation = 1; ///< of its last iteration
+    double              axial_load = 0; ///< N, of the last accepted step
+  };
+
+  std::unique_ptr<Scheme>
+  make_fluid_structure_scheme(const CouplingParameters &parameters,
+                              fluid::FlowSolver        &flow,
+                              DeformableBody           &body,
+                              WetSurface               &surface);
+} // namespace ephyra::coupling

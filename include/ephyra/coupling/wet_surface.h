@@ -1,0 +1,105 @@
+#pragma once
+
+#include "ephyra/coupling/body_motion.h"
+#include "ephyra/fluid/flow_solver.h"
+#include "ephyra/immersed_boundary/direct_forcing.h"
+#include "ephyra/immersed_boundary/markers.h"
+#include "ephyra/immersed_boundary/surface_loads.h"
+#include "ephyra/linear_algebra/sparse_matrix.h"
+#include "ephyra/splines/nurbs_patch.h"
+
+#include <Eigen/SparseCore>
+
+#include <memory>
+#include <vector>
+
+namespace ephyra::coupling
+{
+  /// The wetted surface of a deformable patch in a flow: markers, forcing and
+  /// loads in terms of the control values of the patch. With B the values of
+  /// the patch's basis at the markers,
+  ///   V = B v,   F = T (V - J u*),   u = u* + S F,
+  /// and the impulse that the fluid receives in a step is rho D F at the
+  /// markers, D = diag(w) (see immersed_boundary::DirectForcing). Everything
+  /// here is replicated on all ranks.
+  class WetSurface
+  {
+  public:
+    using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+    WetSurface(const immersed_boundary::Parameters &parameters,
+               const splines::NurbsPatch<2>        &patch,
+               const std::vector<splines::Side>    &wet_sides,
+               const fluid::FlowSolver             &flow);
+
+    /// Markers at the given motion; stencils follow the positions. Throws
+    /// DivergedError where markers leave the grid or are too far apart.
+    void
+    set_geometry(const BodyMotion &motion);
+    /// New velocity and acceleration, positions and stencils kept.
+    void
+    set_motion(const BodyMotion &motion);
+
+    /// Keeps J u* for the calls below; collective.
+    void
+    sample(const fluid::VelocityField &predicted);
+    /// Forcing that gives the flow the velocity of the markers.
+    void
+    solve_forcing();
+    /// u += S F.
+    void
+    add_forcing(fluid::VelocityField &u) const;
+
+    /// -rho B^T D F / dt: what the body receives for the forcing in a step (or
+    /// a stage) of length @p dt, N at the control points.
+    void
+    add_forcing_load(double dt, std::vector<double> &load) const;
+
+    /// The forcing's load as a function of the control velocities, without the
+    /// constant part: K = rho B^T D T B / dt, so that
+    /// -rho B^T D F / dt = -K v + rho B^T D T J u* / dt.
+    Matrix
+    forcing_resistance(double dt) const;
+
+    /// Loads by the probes, consistent nodal forces, N; collective.
+    void
+    probe_load(const fluid::FlowSolver &flow, std::vector<double> &load);
+
+    /// Pairs of unknowns that forcing_resistance() couples, with a margin for
+    /// deformation: those of markers less than a few cells apart.
+    linear_algebra::SparsityPattern
+    coupling_pattern() const;
+
+    /// Slip after the projection: root mean square of J u - V over that of V
+    /// (0 where V vanishes); collective.
+    double
+    slip(const fluid::VelocityField &velocity) const;
+
+    const immersed_boundary::Markers &
+    markers() const
+    {
+      return *the_markers;
+    }
+    const immersed_boundary::SurfaceLoads &
+    loads() const
+    {
+      return *surface_loads;
+    }
+    double
+    largest_spacing() const;
+
+  private:
+    void
+    assemble_shape();
+
+    const fluid::StaggeredGrid                       &grid;
+    const double                                      density;
+    std::unique_ptr<immersed_boundary::Markers>       the_markers;
+    std::unique_ptr<immersed_boundary::DirectForcing> forcing;
+    std::unique_ptr<immersed_boundary::SurfaceLoads>  surface_loads;
+    const int                                         n_control_points;
+    Matrix              shape; ///< B, one component
+    std::vector<double> frozen_position;
+    std::vector<double> Ju, F; ///< of markers
+  };
+} // namespace ephyra::coupling

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ephyra/base/record.h"
+#include "ephyra/splines/nurbs_patch.h"
+
+#include <array>
+#include <vector>
+
+namespace ephyra::diagnostics
+{
+  /// Shape of a bell-like patch as it moves: apex at theta^1 = 0, margin at
+  /// theta^1 = 1, outer surface at theta^2 = 1. Displacements are control
+  /// values u[2 * point + component], m.
+  class BodyKinematics
+  {
+  public:
+    explicit BodyKinematics(const splines::NurbsPatch<2> &patch);
+
+    /// Adds: margin radius r(1, 1), inner margin radius r(1, 0), widest radius
+    /// (largest r of the outer surface), height (extent along y), apex y, and
+    /// the drops of diameter 1 - r / (widest radius at rest) of margin and
+    /// widest section.
+    void
+    evaluate(const std::vector<double> &displacement, Record &record) const;
+
+    /// Present position of a point, m.
+    splines::Point
+    position(const std::array<double, 2> &theta,
+             const std::vector<double>   &displacement) const;
+
+  private:
+    const splines::NurbsPatch<2>         patch;
+    std::vector<splines::BasisValues<2>> outer; ///< at the samples
+    double                               rest_radius;
+
+    splines::Point
+    position(const splines::BasisValues<2> &basis,
+             const std::vector<double>     &displacement) const;
+  };
+} // namespace ephyra::diagnostics

@@ -1,0 +1,166 @@
+#include "ephyra/coupling/fluid_structure.h"
+
+#include "ephyra/base/log.h"
+#include "ephyra/base/timer_tree.h"
+#include "ephyra/coupling/fixed_point.h"
+#include "ephyra/coupling/forcing_as_load.h"
+#include "ephyra/coupling/sequential.h"
+
+namespace ephyra::coupling
+{
+  void
+  CouplingParameters::declare(ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Scheme",
+      "automatic",
+      patterns::Selection("automatic|sequential|forcing as load|fixed point"),
+      "How body and flow are coupled. Sequential: the load of the previous "
+      "step (the paper's scheme; unstable for thin bodies). Forcing as load: "
+      "implicit without iteration, for bodies at least as dense as the fluid. "
+      "Fixed point: implicit by iteration, for any density. Automatic: forcing "
+      "as load where it is possible, else fixed point.");
+    prm.declare_entry("Load of sequential scheme",
+                      "probes",
+                      patterns::Selection("probes|forcing"),
+                      "Load on the body in the sequential scheme: from probes "
+                      "along the normal, or the forcing and the momentum of "
+                      "the fluid inside the body.");
+    prm.declare_entry("Tolerance",
+                      "1e-3",
+                      patterns::Double("", 1e-12, 0.5),
+                      "Fixed point: change of the load relative to the load at "
+                      "which a step has converged.");
+    prm.declare_entry("Absolute tolerance",
+                      "1e-12",
+                      patterns::Double("N", 0.),
+                      "Fixed point: change of the load (norm of the nodal "
+                      "forces) that always counts as converged.");
+    prm.declare_entry("Maximum iterations",
+                      "50",
+                      patterns::Integer(1, 1000),
+                      "Fixed point: iterations after which a step has failed.");
+    Acceleration::Parameters::declare(prm);
+  }
+
+  void
+  CouplingParameters::parse(ParameterHandler &prm)
+  {
+    const std::string name = prm.get("Scheme");
+    scheme                 = name == "sequential" ? SchemeKind::sequential
+                             : name == "forcing as load" ? SchemeKind::forcing_as_load
+                             : name == "fixed point" ? SchemeKind::fixed_point
+                                                     : SchemeKind::automatic;
+    load = prm.get("Load of sequential scheme") == "probes" ? LoadKind::probes
+                                                            : LoadKind::forcing;
+    tolerance          = prm.get_double("Tolerance");
+    absolute_tolerance = prm.get_double("Absolute tolerance");
+    maximum_iterations = prm.get_integer("Maximum iterations");
+    acceleration.parse(prm);
+  }
+
+  FluidStructureScheme::FluidStructureScheme(fluid::FlowSolver &flow,
+                                             DeformableBody    &body,
+                                             WetSurface        &surface)
+    : flow(flow)
+    , body(body)
+    , surface(surface)
+    , load(body.n_unknowns(), 0.)
+  {
+  }
+
+  StepStatus
+  FluidStructureScheme::prepare(const double t, const double dt)
+  {
+    const StepStatus status = body.advance_activation(t, dt);
+    if (!status.success)
+      return status;
+    flow.begin_step(t, dt);
+    flow.predict(0);
+    const TimerTree::Scope scope(timer(), "interface");
+    surface.set_geometry(body.extrapolated_motion(dt));
+    surface.sample(flow.velocity());
+    return status;
+  }
+
+  void
+  FluidStructureScheme::force_and_project(const unsigned int stage)
+  {
+    surface.add_forcing(flow.velocity());
+    flow.project(stage);
+  }
+
+  void
+  FluidStructureScheme::accept(const std::vector<double> &new_load)
+  {
+    load       = new_load;
+    axial_load = 0;
+    for (std::size_t i = 1; i < load.size(); i += 2)
+      axial_load += load[i];
+    body.accept();
+    flow.end_step();
+  }
+
+  void
+  FluidStructureScheme::serialize(Archive &archive)
+  {
+    {
+      const Archive::Group group(archive, "flow");
+      flow.serialize(archive);
+    }
+    {
+      const Archive::Group group(archive, "body");
+      body.serialize(archive);
+    }
+    const Archive::Group group(archive, "coupling");
+    archive.values("load", load);
+    archive.value("axial load", axial_load);
+  }
+
+  void
+  FluidStructureScheme::evaluate(Record &record)
+  {
+    body.evaluate(record);
+    record.add("fluid force y [N]", axial_load);
+    record.add("slip [-]", surface.slip(flow.velocity()));
+    record.add("largest marker spacing [cells]", surface.largest_spacing());
+    record.add("coupling iterations [-]", last.iterations);
+    record.add("interface residual [-]", last.residual);
+  }
+
+  void
+  FluidStructureScheme::evaluate_iterations(Record &record) const
+  {
+    record.add("iterations [-]", last.iterations);
+    record.add("residual [-]", last.residual);
+    record.add("relaxation [-]", relaxation);
+  }
+
+  std::unique_ptr<Scheme>
+  make_fluid_structure_scheme(const CouplingParameters &parameters,
+                              fluid::FlowSolver        &flow,
+                              DeformableBody           &body,
+                              WetSurface               &surface)
+  {
+    using Kind = CouplingParameters::SchemeKind;
+    Kind kind  = parameters.scheme;
+    if (kind == Kind::automatic)
+      {
+        kind = body.density() >= flow.density() ? Kind::forcing_as_load
+                                                : Kind::fixed_point;
+        log().line(std::string("Coupling: ") +
+                   (kind == Kind::forcing_as_load
+                      ? "forcing as load (the body is not lighter than the "
+                        "fluid)"
+                      : "fixed point (the body is lighter than the fluid)"));
+      }
+    if (kind == Kind::forcing_as_load)
+      return std::make_unique<ForcingAsLoad>(flow, body, surface);
+    if (kind == Kind::fixed_point)
+      return std::make_unique<FixedPoint>(flow, body, surface, parameters);
+    log().warning(
+      "sequential coupling is unstable, at any time step, where the "
+      "added mass of the fluid exceeds the mass of the body");
+    return std::make_unique<Sequential>(flow, body, surface, parameters.load);
+  }
+} // namespace ephyra::coupling

@@ -1,0 +1,83 @@
+#include "ephyra/coupling/sequential.h"
+
+#include "ephyra/base/exceptions.h"
+
+#include <cmath>
+
+namespace ephyra::coupling
+{
+  Sequential::Sequential(fluid::FlowSolver                 &flow,
+                         DeformableBody                    &body,
+                         WetSurface                        &surface,
+                         const CouplingParameters::LoadKind load_kind)
+    : FluidStructureScheme(flow, body, surface)
+    , load_kind(load_kind)
+  {
+  }
+
+  StepStatus
+  Sequential::advance(const double t, const double dt)
+  {
+    const std::string remedy =
+      " The sequential scheme is unstable at any time step where the added "
+      "mass of the fluid exceeds the mass of the body; use Coupling/Scheme = "
+      "forcing as load or fixed point.";
+
+    StepStatus status = body.advance_activation(t, dt);
+    if (!status.success)
+      return status;
+
+    elasticity::InterfaceLoad interface_load;
+    interface_load.constant = load;
+    // The forcing also moves the fluid inside the body.
+    if (load_kind == CouplingParameters::LoadKind::forcing)
+      interface_load.inertia_ratio = flow.density() / body.density();
+    status = body.advance_mechanics(t, dt, interface_load);
+    if (!status.success)
+      {
+        status.reason += remedy;
+        return status;
+      }
+
+    std::vector<double> new_load(body.n_unknowns(), 0.);
+    flow.begin_step(t, dt);
+    for (unsigned int k = 0; k < flow.n_stages(); ++k)
+      {
+        flow.predict(k);
+        try
+          {
+            surface.set_geometry(
+              body.motion_between((flow.stage_time(k) - t) / dt));
+          }
+        catch (const DivergedError &error)
+          {
+            throw DivergedError(error.what() + remedy);
+          }
+        surface.sample(flow.velocity());
+        surface.solve_forcing();
+        force_and_project(k);
+        if (load_kind == CouplingParameters::LoadKind::forcing)
+          surface.add_forcing_load(dt, new_load);
+      }
+    if (load_kind == CouplingParameters::LoadKind::probes)
+      surface.probe_load(flow, new_load);
+
+    // Without a solve of its own the scheme has no residual; what shows the
+    // instability is a load that grows without bound from step to step.
+    double change = 0, size = 0;
+    for (std::size_t i = 0; i < new_load.size(); ++i)
+      {
+        change += std::pow(new_load[i] - load[i], 2);
+        size += std::pow(new_load[i], 2);
+      }
+    if (!std::isfinite(size))
+      return StepStatus::failure("The load of the fluid on the body is not "
+                                 "finite." +
+                                 remedy);
+    status.iterations = 1;
+    status.residual   = size > 0 ? std::sqrt(change / size) : 0.;
+    accept(new_load);
+    last = status;
+    return status;
+  }
+} // namespace ephyra::coupling

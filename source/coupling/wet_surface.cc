@@ -1,0 +1,220 @@
+#include "ephyra/coupling/wet_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ephyra::coupling
+{
+  namespace
+  {
+    using immersed_boundary::Markers;
+
+    /// Markers further apart than this many cells do not share nodes of the
+    /// flow in one forcing sweep (their stencils are three cells wide); the
+    /// rest is a margin for repeated sweeps and deformation.
+    constexpr double coupling_reach = 4.5;
+
+    std::vector<double>
+    control_vector(const splines::NurbsPatch<2> &patch)
+    {
+      std::vector<double> x;
+      x.reserve(2 * patch.control_points().size());
+      for (const splines::Point &p : patch.control_points())
+        {
+          x.push_back(p.r);
+          x.push_back(p.y);
+        }
+      return x;
+    }
+
+    std::vector<immersed_boundary::BoundaryCurve>
+    curves(const splines::NurbsPatch<2>     &patch,
+           const std::vector<splines::Side> &sides)
+    {
+      return immersed_boundary::patch_outline(patch, sides, "body").curves;
+    }
+
+    using MapVector = Eigen::Map<const Eigen::VectorXd>;
+
+    MapVector
+    component(const std::vector<double> &marker_vector, const int c)
+    {
+      const auto n = static_cast<Eigen::Index>(marker_vector.size() / 2);
+      return MapVector(marker_vector.data() + c * n, n);
+    }
+  } // namespace
+
+  WetSurface::WetSurface(const immersed_boundary::Parameters &parameters,
+                         const splines::NurbsPatch<2>        &patch,
+                         const std::vector<splines::Side>    &wet_sides,
+                         const fluid::FlowSolver             &flow)
+    : grid(flow.grid())
+    , density(flow.density())
+    , the_markers(std::make_unique<Markers>(curves(patch, wet_sides),
+                                            control_vector(patch),
+                                            flow.grid(),
+                                            parameters))
+    , forcing(std::make_unique<immersed_boundary::DirectForcing>(flow.grid(),
+                                                                 parameters))
+    , surface_loads(std::make_unique<immersed_boundary::SurfaceLoads>(
+        flow.grid(), flow.density(), flow.viscosity(), parameters))
+    , n_control_points(patch.n_control_points())
+  {
+    assemble_shape();
+    const std::vector<double> rest(2 * n_control_points, 0.);
+    set_geometry({control_vector(patch), rest, rest});
+  }
+
+  void
+  WetSurface::assemble_shape()
+  {
+    const auto &rows = the_markers->shape();
+    shape.resize(rows.n_rows(), n_control_points);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int l = 0; l < rows.n_rows(); ++l)
+      for (int k = rows.start[l]; k < rows.start[l + 1]; ++k)
+        entries.emplace_back(l, rows.column[k], rows.value[k]);
+    shape.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  void
+  WetSurface::set_geometry(const BodyMotion &motion)
+  {
+    frozen_position = motion.position;
+    the_markers->move(motion.position, motion.velocity, motion.acceleration);
+    forcing->update(*the_markers);
+  }
+
+  void
+  WetSurface::set_motion(const BodyMotion &motion)
+  {
+    the_markers->move(frozen_position, motion.velocity, motion.acceleration);
+  }
+
+  void
+  WetSurface::sample(const fluid::VelocityField &predicted)
+  {
+    forcing->interpolate(predicted, Ju);
+  }
+
+  void
+  WetSurface::solve_forcing()
+  {
+    const auto         &state = the_markers->state();
+    const std::size_t   n     = state.r.size();
+    std::vector<double> residual(2 * n);
+    for (std::size_t l = 0; l < n; ++l)
+      {
+        residual[l]     = state.v_r[l] - Ju[l];
+        residual[n + l] = state.v_y[l] - Ju[n + l];
+      }
+    forcing->solve(residual, F);
+  }
+
+  void
+  WetSurface::add_forcing(fluid::VelocityField &u) const
+  {
+    forcing->spread(F, u);
+  }
+
+  void
+  WetSurface::add_forcing_load(const double dt, std::vector<double> &load) const
+  {
+    const auto           &w = forcing->impulse_weights();
+    const Eigen::VectorXd weights =
+      MapVector(w.data(), static_cast<Eigen::Index>(w.size())) *
+      (-density / dt);
+    for (int c = 0; c < 2; ++c)
+      {
+        const Eigen::VectorXd nodal =
+          shape.transpose() * weights.cwiseProduct(component(F, c));
+        for (int i = 0; i < n_control_points; ++i)
+          load[2 * i + c] += nodal[i];
+      }
+  }
+
+  WetSurface::Matrix
+  WetSurface::forcing_resistance(const double dt) const
+  {
+    const auto           &w = forcing->impulse_weights();
+    const Eigen::VectorXd weights =
+      MapVector(w.data(), static_cast<Eigen::Index>(w.size())) * (density / dt);
+    const Matrix weighted_transpose =
+      Matrix(shape.transpose()) * weights.asDiagonal();
+
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int c = 0; c < 2; ++c)
+      {
+        const Matrix moved = forcing->transfer(c) * shape;
+        const Matrix K     = weighted_transpose * moved;
+        for (int i = 0; i < K.outerSize(); ++i)
+          for (Matrix::InnerIterator entry(K, i); entry; ++entry)
+            entries.emplace_back(
+              2 * i + c, 2 * static_cast<int>(entry.col()) + c, entry.value());
+      }
+    Matrix result(2 * n_control_points, 2 * n_control_points);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  void
+  WetSurface::probe_load(const fluid::FlowSolver &flow,
+                         std::vector<double>     &load)
+  {
+    surface_loads->update(*the_markers);
+    surface_loads->evaluate(*the_markers, flow.pressure(), flow.velocity());
+    the_markers->to_control_points(surface_loads->marker_forces(*the_markers),
+                                   load);
+  }
+
+  linear_algebra::SparsityPattern
+  WetSurface::coupling_pattern() const
+  {
+    linear_algebra::SparsityPattern pattern(2 * n_control_points);
+    const auto                     &state = the_markers->state();
+    const auto                     &rows  = the_markers->shape();
+    const int                       n     = the_markers->size();
+    for (int l = 0; l < n; ++l)
+      for (int m = 0; m <= l; ++m)
+        if (immersed_boundary::length_in_cells(grid,
+                                               state.r[l],
+                                               state.y[l],
+                                               state.r[m] - state.r[l],
+                                               state.y[m] - state.y[l]) <
+            coupling_reach)
+          for (int a = rows.start[l]; a < rows.start[l + 1]; ++a)
+            for (int b = rows.start[m]; b < rows.start[m + 1]; ++b)
+              for (int c = 0; c < 2; ++c)
+                {
+                  const int i = 2 * rows.column[a] + c;
+                  const int j = 2 * rows.column[b] + c;
+                  pattern.columns[i].push_back(j);
+                  pattern.columns[j].push_back(i);
+                }
+    pattern.compress();
+    return pattern;
+  }
+
+  double
+  WetSurface::slip(const fluid::VelocityField &velocity) const
+  {
+    std::vector<double> u;
+    forcing->interpolate(velocity, u);
+    const auto       &state = the_markers->state();
+    const std::size_t n     = state.r.size();
+    double            error = 0, size = 0;
+    for (std::size_t l = 0; l < n; ++l)
+      {
+        error += std::pow(u[l] - state.v_r[l], 2) +
+                 std::pow(u[n + l] - state.v_y[l], 2);
+        size += std::pow(state.v_r[l], 2) + std::pow(state.v_y[l], 2);
+      }
+    return size > 0 ? std::sqrt(error / size) : 0.;
+  }
+
+  double
+  WetSurface::largest_spacing() const
+  {
+    return the_markers->largest_spacing(grid);
+  }
+} // namespace ephyra::coupling
