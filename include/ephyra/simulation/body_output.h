@@ -1,0 +1,31 @@
+#pragma once
+
+#include "ephyra/coupling/deformable_body.h"
+#include "ephyra/coupling/nerve_net.h"
+#include "ephyra/simulation/body_fields.h"
+#include "ephyra/simulation/line_profile.h"
+
+#include <optional>
+
+namespace ephyra::simulation
+{
+  /// Files about a deformable body: profiles along its subumbrellar side
+  /// (theta^2 = 0) and fields. Shared by the scenes that have such a body.
+  class BodyOutput
+  {
+  public:
+    explicit BodyOutput(coupling::DeformableBody &body);
+
+    void
+    write_profiles(double time, RunOutput &output) const;
+    void
+    write_fields(double time, RunOutput &output) const;
+
+  private:
+    coupling::DeformableBody  &body;
+    BodyFields                 fields;
+    LineProfile                side;
+    const coupling::NerveNet  *net;  ///< null: none
+    std::optional<LineProfile> line; ///< of the nerve net
+  };
+} // namespace ephyra::simulation

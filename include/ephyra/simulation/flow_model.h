@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ephyra/fluid/flow_solver.h"
+#include "ephyra/immersed_boundary/rigid_flow.h"
+#include "ephyra/simulation/model.h"
+
+namespace ephyra::simulation
+{
+  /// Flow alone, or around rigid bodies.
+  class FlowModel : public Model
+  {
+  public:
+    FlowModel(const Scene &scene, MPI_Comm comm);
+
+    StepStatus
+    advance(double t, double dt) override;
+    void
+    serialize(Archive &archive) override;
+    void
+    evaluate(Record &record) override;
+    double
+    cfl() const override;
+    void
+    write_profiles(double time, RunOutput &output) const override;
+    void
+    write_fields(double time, RunOutput &output) override;
+    std::string
+    end_reason() const override;
+
+  private:
+    std::unique_ptr<fluid::FlowSolver>            flow;
+    std::unique_ptr<immersed_boundary::RigidFlow> bodies; ///< null: none
+    double                                        last_cfl = 0;
+  };
+} // namespace ephyra::simulation

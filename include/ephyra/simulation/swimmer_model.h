@@ -1,0 +1,46 @@
+#pragma once
+
+#include "ephyra/coupling/deformable_body.h"
+#include "ephyra/coupling/fluid_structure.h"
+#include "ephyra/coupling/wet_surface.h"
+#include "ephyra/fluid/flow_solver.h"
+#include "ephyra/simulation/body_output.h"
+#include "ephyra/simulation/model.h"
+
+namespace ephyra::simulation
+{
+  /// A deformable body, with or without a nerve net, in a flow.
+  class SwimmerModel : public Model
+  {
+  public:
+    SwimmerModel(const Scene &scene, MPI_Comm comm);
+
+    StepStatus
+    advance(double t, double dt) override;
+    void
+    serialize(Archive &archive) override;
+    void
+    evaluate(Record &record) override;
+    void
+    evaluate_iterations(Record &record) const override;
+    double
+    cfl() const override;
+    double
+    iterations() const override;
+    void
+    write_profiles(double time, RunOutput &output) const override;
+    void
+    write_fields(double time, RunOutput &output) override;
+    void
+    forget() override;
+
+  private:
+    std::unique_ptr<fluid::FlowSolver>        flow;
+    std::unique_ptr<coupling::DeformableBody> body;
+    std::unique_ptr<coupling::WetSurface>     surface;
+    std::unique_ptr<coupling::Scheme>         scheme;
+    std::unique_ptr<BodyOutput>               body_output;
+    double                                    last_cfl        = 0;
+    double                                    last_iterations = 0;
+  };
+} // namespace ephyra::simulation

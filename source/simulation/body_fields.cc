@@ -1,0 +1,53 @@
+#include "ephyra/simulation/body_fields.h"
+
+namespace ephyra::simulation
+{
+  BodyFields::BodyFields(const splines::NurbsPatch<2> &patch)
+    : extraction(patch)
+  {
+    for (const splines::Point &p : patch.control_points())
+      {
+        reference.push_back(p.r);
+        reference.push_back(p.y);
+      }
+  }
+
+  BezierOutput
+  BodyFields::evaluate(const elasticity::ElasticityOperator &body,
+                       const std::vector<double>            &displacement,
+                       const std::vector<double>            &velocity) const
+  {
+    BezierOutput        output;
+    std::vector<double> position(reference);
+    for (std::size_t i = 0; i < position.size(); ++i)
+      position[i] += displacement[i];
+    extraction.write_cells(output, position);
+    output.name = "body";
+    extraction.write_field(output, "displacement [m]", displacement, 2);
+    extraction.write_field(output, "velocity [m/s]", velocity, 2);
+
+    // What is no spline is sampled in each cell.
+    std::vector<double> activation, pattern, J, stress;
+    for (const auto &theta : extraction.sample_points())
+      {
+        const elasticity::PointFields f =
+          body.fields(displacement, theta[0], theta[1]);
+        activation.push_back(f.activation);
+        pattern.push_back(f.pattern);
+        J.push_back(f.J);
+        for (const int k : {0, 3, 4, 1}) // rr, yy, hoop, ry
+          stress.push_back(f.cauchy[k]);
+      }
+    const auto add = [&](const std::string         &name,
+                         const std::vector<double> &samples,
+                         const int                  n_components) {
+      output.point_fields.push_back(
+        {name, n_components, extraction.interpolate(samples, n_components)});
+    };
+    add("activation [-]", activation, 1);
+    add("muscle pattern [-]", pattern, 1);
+    add("J [-]", J, 1);
+    add("Cauchy stress rr, yy, hoop, ry [Pa]", stress, 4);
+    return output;
+  }
+} // namespace ephyra::simulation

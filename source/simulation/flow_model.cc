@@ -1,0 +1,80 @@
+#include "ephyra/simulation/flow_model.h"
+
+#include <cmath>
+
+namespace ephyra::simulation
+{
+  FlowModel::FlowModel(const Scene &scene, const MPI_Comm comm)
+    : flow(std::make_unique<fluid::FlowSolver>(scene.fluid, comm))
+  {
+    using immersed_boundary::RigidBody;
+    if (!scene.rigid_bodies)
+      {
+        flow->keep_predicted(false);
+        return;
+      }
+    std::vector<std::unique_ptr<RigidBody>> list;
+    for (const auto &parameters : scene.bodies)
+      list.push_back(std::make_unique<RigidBody>(parameters));
+    bodies = std::make_unique<immersed_boundary::RigidFlow>(
+      *flow, std::move(list), scene.immersed_boundary);
+  }
+
+  StepStatus
+  FlowModel::advance(const double t, const double dt)
+  {
+    StepStatus status;
+    if (bodies)
+      status = bodies->advance(t, dt);
+    else
+      flow->advance(t, dt);
+    if (!status.success)
+      return status;
+    last_cfl = flow->max_cfl(dt);
+    if (!std::isfinite(last_cfl))
+      return StepStatus::failure("The velocity of the flow is not finite.");
+    return status;
+  }
+
+  void
+  FlowModel::serialize(Archive &archive)
+  {
+    if (bodies)
+      bodies->serialize(archive);
+    else
+      flow->serialize(archive);
+  }
+
+  void
+  FlowModel::evaluate(Record &record)
+  {
+    if (bodies)
+      bodies->evaluate(record);
+    record.add("CFL number [-]", last_cfl);
+  }
+
+  double
+  FlowModel::cfl() const
+  {
+    return last_cfl;
+  }
+
+  void
+  FlowModel::write_profiles(const double, RunOutput &) const
+  {
+  }
+
+  void
+  FlowModel::write_fields(const double time, RunOutput &output)
+  {
+    GridOutput grid;
+    flow->write(grid);
+    output.add_fields("flow", time, grid);
+  }
+
+  std::string
+  FlowModel::end_reason() const
+  {
+    return bodies ? bodies->end_reason() : "";
+  }
+} // namespace ephyra::simulation

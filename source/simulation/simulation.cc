@@ -1,0 +1,274 @@
+#include "ephyra/simulation/simulation.h"
+
+#include "ephyra/base/log.h"
+#include "ephyra/base/mpi.h"
+#include "ephyra/base/output_folder.h"
+#include "ephyra/base/progress.h"
+#include "ephyra/base/stop_request.h"
+#include "ephyra/base/timer_tree.h"
+#include "ephyra/version.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace ephyra::simulation
+{
+  namespace
+  {
+    /// The parameters that fix the state, one in each line: everything but
+    /// output and the end of the run.
+    std::string
+    fingerprint(const ParameterHandler &prm)
+    {
+      std::ostringstream all;
+      prm.write_resolved(all);
+      std::istringstream in(all.str());
+      std::string        result, line, section;
+      while (std::getline(in, line))
+        {
+          const auto first = line.find_first_not_of(' ');
+          if (first == std::string::npos || line[first] == '#')
+            continue;
+          if (first == 0 && line.rfind("subsection ", 0) == 0)
+            section = line.substr(11);
+          if (section != "Output" && section != "Time")
+            result += line + "\n";
+        }
+      return result;
+    }
+
+    void
+    write_text(const std::string &file_name, const ParameterHandler &prm)
+    {
+      std::ofstream out(file_name);
+      prm.write_resolved(out);
+      out.close();
+      EphyraThrowIf(!out,
+                    InputError,
+                    "Cannot write " << file_name
+                                    << "; is the disk full or the folder "
+                                       "write-protected?");
+    }
+  } // namespace
+
+  Simulation::Simulation(const CommandLine &command_line, const MPI_Comm comm)
+    : command_line(command_line)
+    , comm(comm)
+    , start(MPI_Wtime())
+  {
+    Scene::declare(prm);
+    const bool        resumes = !command_line.resume_folder.empty();
+    const std::string file    = resumes && command_line.files.empty()
+                                  ? command_line.resume_folder + "/parameters.prm"
+                                  : command_line.files.front();
+    EphyraThrowIf(resumes &&
+                    !OutputFolder::holds_run(command_line.resume_folder),
+                  InputError,
+                  "The folder " << command_line.resume_folder
+                                << " holds no run that could be resumed.");
+    prm.read_file(file);
+    for (const std::string &assignment : command_line.overrides)
+      prm.set_override(assignment);
+    scene.parse(prm);
+    prm.throw_errors();
+
+    if (resumes)
+      folder = command_line.resume_folder;
+    else
+      {
+        OutputFolder request;
+        request.name           = command_line.output_folder;
+        request.parameter_file = file;
+        request.overwrite      = command_line.overwrite;
+        folder                 = request.create(comm);
+      }
+    log().attach_file(folder + "/log.txt", resumes);
+    write_header();
+    if (mpi::rank(comm) == 0)
+      write_text(folder + "/parameters.prm", prm);
+
+    time   = std::make_unique<TimeControl>(scene.time);
+    output = std::make_unique<RunOutput>(scene.output, folder, comm);
+    checkpoints =
+      std::make_unique<io::Checkpoints>(folder, fingerprint(prm), comm);
+    {
+      const TimerTree::Scope scope(timer(), "setup");
+      model = make_model(scene, comm);
+    }
+    if (resumes)
+      resume();
+  }
+
+  Simulation::~Simulation() = default;
+
+  void
+  Simulation::write_header() const
+  {
+    log().line(std::string("Ephyra ") + version::release + " (" +
+               version::commit + ", " + version::build_type + ", " +
+               version::compiler + "; " + version::libraries + ")");
+    log().line("Ranks: " + std::to_string(mpi::size(comm)) +
+               ", output: " + folder);
+    log().line("Scene: " + scene.description());
+  }
+
+  void
+  Simulation::serialize(Archive &archive)
+  {
+    {
+      const Archive::Group group(archive, "time");
+      time->serialize(archive);
+    }
+    const Archive::Group group(archive, "model");
+    model->serialize(archive);
+  }
+
+  void
+  Simulation::resume()
+  {
+    const auto state = checkpoints->read_latest([this](Archive &archive) {
+      serialize(archive);
+      const Archive::Group group(archive, "results");
+      output->serialize(archive);
+    });
+    output->resume(time->time());
+    last_checkpoint = resumed_from = time->n_steps();
+    std::ostringstream line;
+    line << "Resumed from " << state.file << ": step " << state.step
+         << ", time " << state.time << " s";
+    log().line(line.str());
+  }
+
+  void
+  Simulation::write_checkpoint()
+  {
+    const TimerTree::Scope scope(timer(), "checkpoint");
+    model->forget();
+    checkpoints->write(time->n_steps(), time->time(), [this](Archive &archive) {
+      serialize(archive);
+      const Archive::Group group(archive, "results");
+      output->serialize(archive);
+    });
+    last_checkpoint = time->n_steps();
+  }
+
+  void
+  Simulation::write_output()
+  {
+    const TimerTree::Scope scope(timer(), "output");
+    const auto            &when = scene.output;
+    if (when.statistics.due(*time))
+      {
+        Record record;
+        record.add("step [-]", static_cast<double>(time->n_steps()));
+        model->evaluate(record);
+        output->collect(time->time(), record);
+        output->add_row("statistics", time->time(), record);
+        Record iterations;
+        model->evaluate_iterations(iterations);
+        if (!iterations.all().empty())
+          output->add_row("iterations", time->time(), iterations);
+      }
+    if (when.profiles.due(*time))
+      model->write_profiles(time->time(), *output);
+    if (when.fields.due(*time))
+      model->write_fields(time->time(), *output);
+  }
+
+  void
+  Simulation::step()
+  {
+    if (scene.cut_backs)
+      {
+        const TimerTree::Scope scope(timer(), "save state");
+        saved.begin_writing();
+        model->serialize(saved);
+      }
+    for (;;)
+      {
+        const StepStatus status =
+          model->advance(time->time(), time->step_size());
+        if (status.success)
+          break;
+        EphyraThrowIf(!scene.cut_backs, DivergedError, status.reason);
+        saved.begin_reading();
+        model->serialize(saved);
+        model->forget();
+        time->cut_step(status.reason); // throws below the smallest step
+      }
+    time->accept_step();
+  }
+
+  ExitCode
+  Simulation::run()
+  {
+    Progress    progress(scene.progress_interval);
+    StopRequest stop(folder, scene.wall_time_limit, comm);
+
+    if (time->n_steps() == 0)
+      write_output();
+    while (!time->finished())
+      {
+        try
+          {
+            step();
+          }
+        catch (const DivergedError &error)
+          {
+            if (scene.cut_backs)
+              {
+                saved.begin_reading();
+                model->serialize(saved);
+                if (last_checkpoint != time->n_steps())
+                  write_checkpoint();
+              }
+            finish(ExitCode::diverged,
+                   "Diverged after step " + std::to_string(time->n_steps()));
+            throw;
+          }
+        write_output();
+        progress.step(*time, model->cfl(), model->iterations());
+        if (scene.output.checkpoints.due(*time))
+          write_checkpoint();
+        const std::string natural_end = model->end_reason();
+        if (!natural_end.empty())
+          return finish(ExitCode::success, natural_end);
+        const std::string reason = stop.reason();
+        if (!reason.empty() && !time->finished())
+          {
+            if (last_checkpoint != time->n_steps())
+              write_checkpoint();
+            return finish(ExitCode::interrupted,
+                          "Stopped early (" + reason +
+                            "); continue with --resume " + folder);
+          }
+      }
+    return finish(ExitCode::success, "Done");
+  }
+
+  ExitCode
+  Simulation::finish(const ExitCode code, const std::string &how)
+  {
+    const double wall = MPI_Wtime() - start;
+    Record       record;
+    record.add("exit code [-]", static_cast<double>(code));
+    record.add("time [s]", time->time());
+    record.add("steps [-]", static_cast<double>(time->n_steps()));
+    record.add("repeated steps [-]", static_cast<double>(time->n_cuts()));
+    record.add("wall time [s]", wall);
+    model->add_results(record);
+    output->write_result(record);
+
+    timer().write_csv(folder + "/timing.csv", comm);
+    std::ostringstream table;
+    timer().print(table, comm);
+    log().line(table.str());
+    std::ostringstream line;
+    line << how << ": " << time->n_steps() << " steps to " << time->time()
+         << " s in " << format_duration(wall) << ", " << time->n_cuts()
+         << " steps repeated, " << log().n_warnings()
+         << " warnings. Results in " << folder;
+    log().line(line.str());
+    return code;
+  }
+} // namespace ephyra::simulation

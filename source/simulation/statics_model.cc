@@ -1,0 +1,80 @@
+#include "ephyra/simulation/statics_model.h"
+
+namespace ephyra::simulation
+{
+  StaticsModel::StaticsModel(const Scene &scene, const MPI_Comm comm)
+  {
+    const geometry::BodyPatch shape = geometry::create_body(scene.body);
+    solver = std::make_unique<elasticity::StaticsSolver>(
+      scene.equilibrium, shape.patch, comm);
+    if (scene.muscle == Scene::Muscle::prescribed)
+      muscle = std::make_unique<electrophysiology::PrescribedActivation>(
+        scene.activation);
+    kinematics = std::make_unique<diagnostics::BodyKinematics>(shape.patch);
+    fields     = std::make_unique<BodyFields>(shape.patch);
+    for (const splines::Side side : elasticity::all_sides)
+      sides.emplace_back(elasticity::name(side),
+                         LineProfile(shape.patch, side));
+  }
+
+  StepStatus
+  StaticsModel::advance(const double, const double)
+  {
+    elasticity::StaticsSolver::Activation activation;
+    if (muscle)
+      activation = [this](const double t, std::vector<double> &gamma) {
+        muscle->evaluate(solver->body().activation_points(), t, gamma);
+      };
+    result = solver->run(activation);
+    return result;
+  }
+
+  void
+  StaticsModel::serialize(Archive &archive)
+  {
+    std::vector<double> u = solver->displacement();
+    archive.values("displacement", u);
+  }
+
+  void
+  StaticsModel::evaluate(Record &record)
+  {
+    const auto               &u = solver->displacement();
+    const std::vector<double> rest(u.size(), 0.);
+    const auto                measures = solver->body().measures(u, rest);
+    kinematics->evaluate(u, record);
+    record.add("volume [m^3]", measures.volume);
+    record.add("smallest J [-]", measures.smallest_J);
+    record.add("largest J [-]", measures.largest_J);
+    record.add("elastic energy [J]", measures.elastic_energy);
+  }
+
+  void
+  StaticsModel::write_profiles(const double time, RunOutput &output) const
+  {
+    const auto &u = solver->displacement();
+    for (const auto &[name, profile] : sides)
+      {
+        profile.write("radial_displacement_" + name, time, u, 2, 0, output);
+        profile.write("axial_displacement_" + name, time, u, 2, 1, output);
+      }
+  }
+
+  void
+  StaticsModel::write_fields(const double time, RunOutput &output)
+  {
+    const std::vector<double> rest(solver->displacement().size(), 0.);
+    output.add_fields(
+      "body",
+      time,
+      fields->evaluate(solver->body(), solver->displacement(), rest));
+  }
+
+  void
+  StaticsModel::add_results(Record &record) const
+  {
+    record.add("load level [-]", result.level);
+    record.add("load steps [-]", result.steps);
+    record.add("cut-backs [-]", result.cut_backs);
+  }
+} // namespace ephyra::simulation

@@ -1,0 +1,89 @@
+#include "ephyra/simulation/swimmer_model.h"
+
+#include "ephyra/simulation/build_body.h"
+
+#include <cmath>
+
+namespace ephyra::simulation
+{
+  SwimmerModel::SwimmerModel(const Scene &scene, const MPI_Comm comm)
+  {
+    const geometry::BodyPatch shape = geometry::create_body(scene.body);
+    flow = std::make_unique<fluid::FlowSolver>(scene.fluid, comm);
+    body = build_body(scene, shape, comm);
+    std::vector<splines::Side> wet_sides;
+    for (const geometry::WetSide &side : shape.wet_sides)
+      wet_sides.push_back(side.side);
+    surface = std::make_unique<coupling::WetSurface>(
+      scene.immersed_boundary, shape.patch, wet_sides, *flow);
+    body->mechanics().allow_coupling(surface->coupling_pattern());
+    scheme = coupling::make_fluid_structure_scheme(
+      scene.coupling, *flow, *body, *surface);
+    body_output = std::make_unique<BodyOutput>(*body);
+  }
+
+  StepStatus
+  SwimmerModel::advance(const double t, const double dt)
+  {
+    StepStatus status = scheme->advance(t, dt);
+    if (!status.success)
+      return status;
+    last_iterations = status.iterations;
+    last_cfl        = flow->max_cfl(dt);
+    if (!std::isfinite(last_cfl))
+      return StepStatus::failure("The velocity of the flow is not finite.");
+    return status;
+  }
+
+  void
+  SwimmerModel::serialize(Archive &archive)
+  {
+    scheme->serialize(archive);
+  }
+
+  void
+  SwimmerModel::evaluate(Record &record)
+  {
+    scheme->evaluate(record);
+    record.add("CFL number [-]", last_cfl);
+  }
+
+  void
+  SwimmerModel::evaluate_iterations(Record &record) const
+  {
+    scheme->evaluate_iterations(record);
+  }
+
+  double
+  SwimmerModel::cfl() const
+  {
+    return last_cfl;
+  }
+
+  double
+  SwimmerModel::iterations() const
+  {
+    return last_iterations;
+  }
+
+  void
+  SwimmerModel::write_profiles(const double time, RunOutput &output) const
+  {
+    body_output->write_profiles(time, output);
+  }
+
+  void
+  SwimmerModel::write_fields(const double time, RunOutput &output)
+  {
+    GridOutput grid;
+    flow->write(grid);
+    output.add_fields("flow", time, grid);
+    body_output->write_fields(time, output);
+  }
+
+  void
+  SwimmerModel::forget()
+  {
+    body->mechanics().forget();
+  }
+} // namespace ephyra::simulation

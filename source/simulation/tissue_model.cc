@@ -1,0 +1,136 @@
+#include "ephyra/simulation/tissue_model.h"
+
+#include "ephyra/base/log.h"
+#include "ephyra/base/timer_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace ephyra::simulation
+{
+  TissueModel::TissueModel(const Scene &scene, const MPI_Comm comm)
+  {
+    using electrophysiology::ElectrophysiologySolver;
+    if (scene.single_cell)
+      {
+        solver = std::make_unique<ElectrophysiologySolver>(scene.tissue, comm);
+        return;
+      }
+    line = geometry::create_curve(scene.tissue_line).curve;
+    solver =
+      std::make_unique<ElectrophysiologySolver>(scene.tissue, *line, comm);
+    profile = LineProfile(*line);
+    for (const double theta : scene.crossing_points)
+      {
+        crossing_probes.push_back(
+          solver->add_crossing_probe(theta, scene.crossing_level));
+        probe_points.push_back(theta);
+      }
+    const std::string problem = solver->resolution_problem();
+    if (!problem.empty())
+      log().warning(problem);
+  }
+
+  StepStatus
+  TissueModel::advance(const double t, const double dt)
+  {
+    const TimerTree::Scope scope(
+      timer(), "electrophysiology", solver->n_control_points());
+    const StepStatus status = solver->advance(t, dt);
+    time                    = t + dt;
+    return status;
+  }
+
+  void
+  TissueModel::serialize(Archive &archive)
+  {
+    archive.value("time", time);
+    solver->serialize(archive);
+  }
+
+  void
+  TissueModel::evaluate(Record &record)
+  {
+    const auto &v = solver->potential();
+    record.add("largest potential [V]", *std::max_element(v.begin(), v.end()));
+    record.add("smallest potential [V]", *std::min_element(v.begin(), v.end()));
+    std::vector<double> gamma;
+    solver->activation(time, gamma);
+    record.add("largest activation [-]",
+               *std::max_element(gamma.begin(), gamma.end()));
+    record.add("substeps [-]", static_cast<double>(solver->n_substeps()));
+    if (line || !solver->ionic_model())
+      return;
+    // The isolated neuron shows all it has.
+    const auto          names = solver->ionic_model()->gate_names();
+    std::vector<double> gate;
+    for (int k = 0; k < solver->ionic_model()->n_gates(); ++k)
+      {
+        solver->gate(k, gate);
+        record.add("gate " + names[k] + " [-]", gate.front());
+      }
+    const auto current_names = solver->ionic_model()->current_names();
+    const auto currents      = solver->currents(0);
+    for (std::size_t k = 0; k < currents.size(); ++k)
+      record.add("current " + current_names[k] + " [A/m^3]", currents[k]);
+  }
+
+  void
+  TissueModel::write_profiles(const double time, RunOutput &output) const
+  {
+    if (!profile)
+      return;
+    profile->write("potential", time, solver->potential(), 1, 0, output);
+    std::vector<double> values;
+    solver->activation(time, values);
+    profile->write("activation", time, values, 1, 0, output);
+    if (!solver->ionic_model())
+      return;
+    const auto names = solver->ionic_model()->gate_names();
+    for (int k = 0; k < solver->ionic_model()->n_gates(); ++k)
+      {
+        solver->gate(k, values);
+        profile->write("gate_" + names[k], time, values, 1, 0, output);
+      }
+  }
+
+  void
+  TissueModel::write_fields(const double, RunOutput &)
+  {
+    // Profiles hold all there is on a line.
+  }
+
+  void
+  TissueModel::add_results(Record &record) const
+  {
+    for (std::size_t p = 0; p < crossing_probes.size(); ++p)
+      {
+        const auto &times = solver->crossing_times(crossing_probes[p]);
+        if (times.empty())
+          continue;
+        std::ostringstream name;
+        name << "first crossing at theta1 = " << probe_points[p] << " [s]";
+        record.add(name.str(), times.front());
+      }
+    if (crossing_probes.size() < 2 || !line)
+      return;
+    // Mean speed of the front between the outermost probes.
+    const auto &first = solver->crossing_times(crossing_probes.front());
+    const auto &last  = solver->crossing_times(crossing_probes.back());
+    if (first.empty() || last.empty())
+      return;
+    double    length  = 0;
+    const int n_steps = 1000;
+    for (int k = 0; k < n_steps; ++k)
+      {
+        const double range = probe_points.back() - probe_points.front();
+        const auto   at    = [&](const int i) {
+          return line->point({{probe_points.front() + range * i / n_steps}});
+        };
+        length += std::hypot(at(k + 1).r - at(k).r, at(k + 1).y - at(k).y);
+      }
+    record.add("conduction velocity [m/s]",
+               length / std::abs(last.front() - first.front()));
+  }
+} // namespace ephyra::simulation
