@@ -234,13 +234,14 @@ namespace ephyra
   bool
   ParameterHandler::is_set(const std::string &name) const
   {
-    return !impl->entry(name).origin.empty();
+    return !impl->entry(name).is_default();
   }
 
   std::string
   ParameterHandler::origin(const std::string &name) const
   {
-    return is_set(name) ? impl->entry(name).origin : "default";
+    const std::string &origin = impl->entry(name).origin;
+    return origin.empty() ? "default" : origin;
   }
 
   std::vector<std::string>

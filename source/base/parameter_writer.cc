@@ -28,7 +28,7 @@ namespace ephyra
     {
       for (const auto &entry : section.entries)
         out << indent(level) << assignment(entry->name, entry->value)
-            << (entry->origin.empty() ? "  # default\n" : "\n");
+            << (entry->is_default() ? "  # default\n" : "\n");
       for (const auto &subsection : section.subsections)
         {
           std::ostringstream inside;

@@ -105,7 +105,8 @@ namespace ephyra
     get_double_list(const std::string &name) const; ///< SI
     std::vector<std::string>
     get_list(const std::string &name) const;
-    /// Whether a file or an override has set the entry.
+    /// Whether a file or an override has set the entry to something else than
+    /// its default. (A resolved file sets every entry.)
     bool
     is_set(const std::string &name) const;
     /// "file:line" of where the entry was set, or "default".

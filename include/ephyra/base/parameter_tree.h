@@ -21,6 +21,13 @@ namespace ephyra
     std::string                            documentation;
     std::string origin;       ///< "file:line" or "--set", "" for the default
     int         file_id = -1; ///< which reading of a file has set it
+
+    /// Also where a file sets it to the default, as resolved files do.
+    bool
+    is_default() const
+    {
+      return origin.empty() || value == default_value;
+    }
   };
 
   /// A subsection that a file may repeat with instance names of its choice.
