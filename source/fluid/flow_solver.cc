@@ -4,6 +4,7 @@
 #include "ephyra/base/log.h"
 #include "ephyra/base/timer_tree.h"
 #include "ephyra/fluid/flow_output.h"
+#include "ephyra/fluid/row_transforms.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,6 +56,11 @@ namespace ephyra::fluid
          << the_grid.r.largest_ratio() << " and " << the_grid.y.largest_ratio()
          << ", Poisson solver \"" << poisson_solver->name() << "\".";
     log().line(text.str());
+    if (poisson_solver->name() == "fft" &&
+        is_awkward_length(the_grid.y.n_cells))
+      log().line("Flow: transforms are faster with " +
+                 std::to_string(next_good_length(the_grid.y.n_cells)) +
+                 " cells in y (no prime factor above 7).");
 
     const auto component = [](const std::string &formula) -> Component {
       const auto expression = std::make_shared<const Expression>(

@@ -2,46 +2,20 @@
 
 #include "ephyra/base/exceptions.h"
 
-#include <fftw3.h>
-
-#include <cmath>
-
 namespace ephyra::fluid
 {
   namespace
   {
-    /// Transform pair and squared wave numbers that fit the sides in y.
-    struct Kind
+    RowEnds
+    ends_of(const StaggeredGrid &grid, const PoissonSides &sides)
     {
-      fftw_r2r_kind forward, backward;
-      double        shift; ///< mode k has the phase pi (k + shift) / n
-    };
-
-    Kind
-    kind_of(const PoissonSides &sides)
-    {
+      if (grid.periodic_y)
+        return RowEnds::periodic;
       if (sides.lower_dirichlet)
-        return sides.upper_dirichlet ? Kind{FFTW_RODFT10, FFTW_RODFT01, 1.}
-                                     : Kind{FFTW_RODFT11, FFTW_RODFT11, 0.5};
-      return sides.upper_dirichlet ? Kind{FFTW_REDFT11, FFTW_REDFT11, 0.5}
-                                   : Kind{FFTW_REDFT10, FFTW_REDFT01, 0.};
-    }
-
-    /// Eigenvalues of -d2/dy2 on the grid, 1/m^2.
-    std::vector<double>
-    eigenvalues(const StaggeredGrid &grid, const PoissonSides &sides)
-    {
-      const int           n = grid.y.n_cells;
-      const double        h = grid.y.length() / n;
-      std::vector<double> lambda(n);
-      for (int k = 0; k < n; ++k)
-        {
-          const double phase = grid.periodic_y
-                                 ? M_PI * std::min(k, n - k) / n
-                                 : 0.5 * M_PI * (k + kind_of(sides).shift) / n;
-          lambda[k]          = std::pow(2. / h * std::sin(phase), 2);
-        }
-      return lambda;
+        return sides.upper_dirichlet ? RowEnds::dirichlet_dirichlet
+                                     : RowEnds::dirichlet_neumann;
+      return sides.upper_dirichlet ? RowEnds::neumann_dirichlet
+                                   : RowEnds::neumann_neumann;
     }
   } // namespace
 
@@ -65,83 +39,68 @@ namespace ephyra::fluid
     return rows;
   }
 
-  struct PoissonFft::Transforms
-  {
-    Transforms(const StaggeredGrid &grid, const PoissonSides &sides)
-    {
-      const int     n = grid.y.n_cells;
-      AlignedVector row(n);
-      modes[0].resize(n);
-      modes[1].resize(n);
-      const Kind kind = kind_of(sides);
-      forward         = fftw_plan_r2r_1d(n,
-                                 row.data(),
-                                 row.data(),
-                                 grid.periodic_y ? FFTW_R2HC : kind.forward,
-                                 FFTW_MEASURE);
-      backward        = fftw_plan_r2r_1d(n,
-                                  modes[0].data(),
-                                  row.data(),
-                                  grid.periodic_y ? FFTW_HC2R : kind.backward,
-                                  FFTW_MEASURE | FFTW_PRESERVE_INPUT);
-      normalisation   = 1. / (grid.periodic_y ? n : 2 * n);
-    }
-    ~Transforms()
-    {
-      fftw_destroy_plan(forward);
-      fftw_destroy_plan(backward);
-    }
-    fftw_plan     forward, backward;
-    double        normalisation;
-    AlignedVector modes[2];
-  };
-
   PoissonFft::PoissonFft(const StaggeredGrid &grid, const PoissonSides &sides)
     : grid(grid)
-    , transforms(std::make_unique<Transforms>(grid, sides))
+    , transforms(grid.y.n_cells, ends_of(grid, sides))
     , tridiagonal(radial_poisson_rows(grid, sides.outer_dirichlet),
-                  eigenvalues(grid, sides),
+                  transforms.eigenvalues(grid.y.length() / grid.y.n_cells),
                   grid.y.n_cells,
                   sides.singular(),
                   grid.communicator())
+    , modes{AlignedVector(grid.y.n_cells), AlignedVector(grid.y.n_cells)}
   {
     EphyraThrowIf(!grid.y.uniform,
                   InputError,
                   "The Poisson solver \"fft\" needs a uniform axial spacing: "
-                  "choose \"auto\" or \"eigen\", or one axial spacing.");
+                  "choose \"automatic\" or \"eigen\", or one axial spacing.");
   }
-
-  PoissonFft::~PoissonFft() = default;
 
   void
   PoissonFft::solve(DistributedArray  &phi,
                     const RowFunction &right_hand_side,
                     const RowFunction &visit)
   {
-    const int n_y = grid.y.n_cells;
-    for (int s = 0; s < tridiagonal.n_steps(); ++s)
+    const int  n_steps = tridiagonal.n_steps();
+    const auto fill    = [&](const int s) {
+      const int     i   = tridiagonal.row(s);
+      double *const row = phi.row(i);
+      right_hand_side(i, row);
+      const double scale =
+        grid.r.centre[i] * grid.r.width[i] / transforms.scale();
+      for (int j = 0; j < grid.y.n_cells; ++j)
+        row[j] *= scale;
+      return row;
+    };
+    for (int s = 0; s < n_steps; s += 2)
+      {
+        const bool    pair  = s + 1 < n_steps;
+        double *const first = fill(s), *const second =
+                                         pair ? fill(s + 1) : nullptr;
+        transforms.forward(first, second);
+        tridiagonal.eliminate(s, first);
+        if (pair)
+          tridiagonal.eliminate(s + 1, second);
+      }
+    tridiagonal.solve_interfaces();
+    // Modes are needed once more by the next row, so they have rows of their
+    // own.
+    for (int s = n_steps - 1; s >= 0; s -= 2)
       {
         const int     i   = tridiagonal.row(s);
         double *const row = phi.row(i);
-        right_hand_side(i, row);
-        const double scale =
-          grid.r.centre[i] * grid.r.width[i] * transforms->normalisation;
-        for (int j = 0; j < n_y; ++j)
-          row[j] *= scale;
-        fftw_execute_r2r(transforms->forward, row, row);
-        tridiagonal.eliminate(s, row);
-      }
-    tridiagonal.solve_interfaces();
-    // The modes of a row are needed once more by the next one, so they live in
-    // two rows taken in turn.
-    for (int s = tridiagonal.n_steps() - 1; s >= 0; --s)
-      {
-        const int     i     = tridiagonal.row(s);
-        double *const row   = phi.row(i);
-        double *const modes = transforms->modes[s % 2].data();
-        tridiagonal.substitute(s, row, modes);
-        fftw_execute_r2r(transforms->backward, modes, row);
+        tridiagonal.substitute(s, row, modes[0].data());
+        if (s == 0)
+          {
+            transforms.backward(modes[0].data(), nullptr, row, nullptr);
+            visit(i, row);
+            return;
+          }
+        const int     next     = tridiagonal.row(s - 1);
+        double *const next_row = phi.row(next);
+        tridiagonal.substitute(s - 1, next_row, modes[1].data());
+        transforms.backward(modes[0].data(), modes[1].data(), row, next_row);
         visit(i, row);
+        visit(next, next_row);
       }
   }
 } // namespace ephyra::fluid

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ephyra/fluid/poisson_solver.h"
+#include "ephyra/fluid/row_transforms.h"
 #include "ephyra/fluid/row_tridiagonal.h"
 
 namespace ephyra::fluid
@@ -12,7 +13,6 @@ namespace ephyra::fluid
   {
   public:
     PoissonFft(const StaggeredGrid &grid, const PoissonSides &sides);
-    ~PoissonFft() override;
 
     void
     solve(DistributedArray  &phi,
@@ -27,11 +27,10 @@ namespace ephyra::fluid
     }
 
   private:
-    struct Transforms;
-
-    const StaggeredGrid        &grid;
-    std::unique_ptr<Transforms> transforms;
-    RowTridiagonal              tridiagonal;
+    const StaggeredGrid &grid;
+    RowTransforms        transforms;
+    RowTridiagonal       tridiagonal;
+    AlignedVector        modes[2];
   };
 
   /// The rows of the radial part of the Poisson equation, times rc_i dr_i.

@@ -159,6 +159,68 @@ BOOST_AUTO_TEST_CASE(both_solvers_agree)
   BOOST_TEST(error < 1e-12 * size);
 }
 
+BOOST_AUTO_TEST_CASE(transforms)
+{
+  // Each mode is an eigenvector of the second difference with its ends.
+  for (const RowEnds ends : {RowEnds::neumann_neumann,
+                             RowEnds::dirichlet_dirichlet,
+                             RowEnds::neumann_dirichlet,
+                             RowEnds::dirichlet_neumann,
+                             RowEnds::periodic})
+    for (const int n : {12, 15})
+      {
+        RowTransforms             transforms(n, ends);
+        const std::vector<double> lambda = transforms.eigenvalues(1.);
+        AlignedVector             a(n), b(n), x(n), y(n);
+        for (const bool pair : {false, true})
+          for (int k = 0; k < n; ++k)
+            {
+              std::fill(a.begin(), a.end(), 0.);
+              std::fill(b.begin(), b.end(), 0.);
+              a[k]         = 1;
+              b[n - 1 - k] = -2;
+              transforms.backward(a.data(),
+                                  pair ? b.data() : nullptr,
+                                  x.data(),
+                                  pair ? y.data() : nullptr);
+              const auto check = [&](const AlignedVector &v,
+                                     const double         eigenvalue) {
+                for (int j = 0; j < n; ++j)
+                  {
+                    double below = j > 0 ? v[j - 1] : v[0];
+                    double above = j < n - 1 ? v[j + 1] : v[n - 1];
+                    if (j == 0 && ends == RowEnds::periodic)
+                      below = v[n - 1];
+                    if (j == n - 1 && ends == RowEnds::periodic)
+                      above = v[0];
+                    if (j == 0 && (ends == RowEnds::dirichlet_dirichlet ||
+                                   ends == RowEnds::dirichlet_neumann))
+                      below = -v[0];
+                    if (j == n - 1 && (ends == RowEnds::dirichlet_dirichlet ||
+                                       ends == RowEnds::neumann_dirichlet))
+                      above = -v[n - 1];
+                    BOOST_TEST(std::abs(below - 2 * v[j] + above +
+                                        eigenvalue * v[j]) < 1e-12);
+                  }
+              };
+              check(x, lambda[k]);
+              if (pair)
+                check(y, lambda[n - 1 - k]);
+              transforms.forward(x.data(), pair ? y.data() : nullptr);
+              for (int m = 0; m < n; ++m)
+                {
+                  BOOST_TEST(std::abs(x[m] - transforms.scale() * a[m]) <
+                             1e-12);
+                  if (pair)
+                    BOOST_TEST(std::abs(y[m] - transforms.scale() * b[m]) <
+                               1e-12);
+                }
+            }
+      }
+  BOOST_TEST(is_awkward_length(4600));
+  BOOST_TEST(next_good_length(4600) == 4608);
+}
+
 BOOST_AUTO_TEST_CASE(unsuitable_grids_are_refused)
 {
   BOOST_CHECK_THROW(PoissonFft(make_grid(true), {}), InputError);

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "ephyra/fluid/aligned_vector.h"
+
+#include <memory>
+#include <vector>
+
+namespace ephyra::fluid
+{
+  /// The ends of a row, half a cell outside its first and last value.
+  enum class RowEnds
+  {
+    neumann_neumann,     ///< cosines, DCT-II
+    dirichlet_dirichlet, ///< sines, DST-II
+    neumann_dirichlet,   ///< DCT-IV
+    dirichlet_neumann,   ///< DST-IV
+    periodic             ///< Fourier, real parts first, "half complex"
+  };
+
+  /// Discrete transforms that diagonalise the second difference along a row.
+  /// Cosines, the case that counts, are computed for two rows at a time from
+  /// one complex Fourier transform of length n (Makhoul 1980,
+  /// 10.1109/TASSP.1980.1163351), the others by FFTW's real transforms.
+  class RowTransforms
+  {
+  public:
+    RowTransforms(int n, RowEnds ends);
+    ~RowTransforms();
+    RowTransforms(const RowTransforms &) = delete;
+    RowTransforms &
+    operator=(const RowTransforms &) = delete;
+
+    /// backward(forward(x)) = scale() x.
+    double
+    scale() const;
+    /// Eigenvalues of minus the second difference with spacing h, 1/m^2, in
+    /// the order of the modes.
+    std::vector<double>
+    eigenvalues(double h) const;
+
+    /// Values to modes, in place, of two rows that start on a cache line; or
+    /// of one row: @p b null.
+    void
+    forward(double *a, double *b);
+    /// Modes a, b to values x, y; b and y null for one row.
+    void
+    backward(const double *a, const double *b, double *x, double *y);
+
+  private:
+    void
+    cosines_forward(double *a, double *b);
+    void
+    cosines_backward(const double *a, const double *b, double *x, double *y);
+
+    struct Plans;
+
+    const int              n;
+    const RowEnds          ends;
+    std::unique_ptr<Plans> plans;
+    AlignedVector          in, out;      ///< complex, interleaved
+    AlignedVector          cosine, sine; ///< of pi k / (2 n)
+    AlignedVector          spare_row;    ///< partner of a single row
+  };
+
+  /// Whether n has prime factors above 7, with which transforms are slow; the
+  /// next number that has none.
+  bool
+  is_awkward_length(int n);
+  int
+  next_good_length(int n);
+} // namespace ephyra::fluid
