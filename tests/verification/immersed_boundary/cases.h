@@ -17,7 +17,8 @@ namespace ephyra::test
       const fluid::FlowParameters                                 &flow_in,
       const std::vector<immersed_boundary::RigidBody::Parameters> &bodies,
       const immersed_boundary::Parameters &parameters = {})
-      : flow(flow_in, MPI_COMM_WORLD)
+      : the_flow(std::make_unique<fluid::FlowSolver>(flow_in, MPI_COMM_WORLD))
+      , flow(*the_flow)
     {
       std::vector<std::unique_ptr<immersed_boundary::RigidBody>> made;
       for (const auto &b : bodies)
@@ -40,7 +41,8 @@ namespace ephyra::test
       return rigid->loads().axial_force(rigid->markers(), 0, 1).total();
     }
 
-    fluid::FlowSolver                             flow;
+    std::unique_ptr<fluid::FlowSolver>            the_flow;
+    fluid::FlowSolver                            &flow;
     std::unique_ptr<immersed_boundary::RigidFlow> rigid;
     double                                        time = 0;
   };
