@@ -34,8 +34,7 @@ namespace ephyra::electrophysiology
     , model(make_model(prm))
     , monodomain(line, prm.mass, prm.measure)
     , stimulus(prm.stimulus)
-    , boundary_start(prm.start)
-    , boundary_end(prm.end)
+    , diffusion(monodomain, prm.start, prm.end, prm.diffusivity())
     , stimulus_load(monodomain.interval_load(stimulus.interval()))
   {
     if (model)
@@ -49,8 +48,7 @@ namespace ephyra::electrophysiology
     , comm(comm)
     , model(make_model(prm))
     , stimulus(prm.stimulus)
-    , boundary_start(prm.start)
-    , boundary_end(prm.end)
+    , diffusion(monodomain, prm.start, prm.end, prm.diffusivity())
     , stimulus_load(1, 1.)
   {
     EphyraThrowIf(!model,
@@ -71,8 +69,7 @@ namespace ephyra::electrophysiology
     v.assign(n, rest);
     increment.assign(n, 0.);
     old_v.assign(n, 0.);
-    part_v.assign(n, 0.);
-    part_increment.assign(n, 0.);
+    total_load.assign(n, 0.);
     load.assign(n, 0.);
     previous_load.assign(n, 0.);
     combined_load.assign(n, 0.);
@@ -117,7 +114,7 @@ namespace ephyra::electrophysiology
   {
     if (monodomain.set_metric(G11, r, prm.metric_tolerance))
       {
-        system_dt = 0;
+        diffusion.matrices_changed();
         if (reaction)
           reaction->metric_changed();
       }
@@ -151,72 +148,13 @@ namespace ephyra::electrophysiology
   }
 
   void
-  ElectrophysiologySolver::prepare_matrix(const double dt,
-                                          const bool   hold_start,
-                                          const bool   hold_end)
-  {
-    // Sums of times make steps differ in their last digits.
-    if (std::abs(dt - system_dt) < 1e-9 * dt && hold_start == start_held &&
-        hold_end == end_held)
-      return;
-    const linear_algebra::NarrowBandMatrix &mass      = monodomain.mass();
-    const linear_algebra::NarrowBandMatrix &stiffness = monodomain.stiffness();
-    const int                               n         = mass.n_rows();
-    const int                               width     = mass.half_bandwidth();
-    const double factor = 0.5 * dt * prm.diffusivity();
-    if (system_matrix.n_rows() != n)
-      system_matrix = linear_algebra::NarrowBandMatrix(n, width);
-    for (int i = 0; i < n; ++i)
-      for (int j = std::max(0, i - width); j <= std::min(n - 1, i + width); ++j)
-        {
-          const bool held = (i == 0 && hold_start) || (i == n - 1 && hold_end);
-          system_matrix(i, j) =
-            held ? (i == j ? 1. : 0.) : mass(i, j) + factor * stiffness(i, j);
-        }
-    system.factorize(system_matrix, "monodomain matrix");
-    system_dt  = dt;
-    start_held = hold_start;
-    end_held   = hold_end;
-  }
-
-  void
   ElectrophysiologySolver::solve_increment(
     const double t, const double dt, const std::vector<double> &reaction_load)
   {
-    const bool hold_start = boundary_start.holds(t, dt);
-    const bool hold_end   = boundary_end.holds(t, dt);
-    if ((hold_start && !start_held) || (hold_end && !end_held))
-      damped_steps = damped_steps_after_jump;
-    prepare_matrix(dt, hold_start, hold_end);
-
-    // One Crank-Nicolson step, or two backward Euler steps of half the size:
-    // they have the same matrix.
-    const int    n       = n_control_points();
-    const int    n_parts = damped_steps > 0 ? 2 : 1;
-    const double part    = dt / n_parts;
     const double current = stimulus.mean_current(t, dt) / prm.capacitance;
-    std::fill(increment.begin(), increment.end(), 0.);
-    part_v = v;
-    for (int k = 1; k <= n_parts; ++k)
-      {
-        for (int i = 0; i < n; ++i)
-          part_increment[i] =
-            part * (reaction_load[i] + current * stimulus_load[i]);
-        monodomain.stiffness().add_multiply(
-          part_v.data(), part_increment.data(), -part * prm.diffusivity());
-        if (hold_start)
-          part_increment[0] =
-            boundary_start.held_potential(t + k * part) - part_v[0];
-        if (hold_end)
-          part_increment[n - 1] =
-            boundary_end.held_potential(t + k * part) - part_v[n - 1];
-        system.solve(part_increment.data());
-        for (int i = 0; i < n; ++i)
-          {
-            part_v[i] += part_increment[i];
-            increment[i] += part_increment[i];
-          }
-      }
+    for (std::size_t i = 0; i < total_load.size(); ++i)
+      total_load[i] = reaction_load[i] + current * stimulus_load[i];
+    diffusion.solve(t, dt, total_load, v, increment);
   }
 
   void
@@ -289,13 +227,13 @@ namespace ephyra::electrophysiology
                      dt,
                      &gates[static_cast<std::size_t>(model->activation_gate()) *
                             n_points()]);
-    record_probes(t, dt);
+    probes.record(t, dt, old_v, v);
+    diffusion.finish_step();
 
     std::swap(load, previous_load);
     evaluate_load(load);
     previous_dt = dt;
     ++substeps;
-    damped_steps = std::max<std::int64_t>(0, damped_steps - 1);
     if (may_rest)
       {
         double largest = 0;
@@ -316,9 +254,7 @@ namespace ephyra::electrophysiology
         if (resting() && stimulus.next_event(now - tiny) <= now + tiny)
           quiet_time = 0;
         const bool was_resting = resting();
-        double     limit       = std::min({t_end,
-                                           boundary_start.next_event(now + tiny),
-                                           boundary_end.next_event(now + tiny)});
+        double     limit = std::min(t_end, diffusion.next_event(now + tiny));
         if (was_resting)
           limit = std::min(limit, stimulus.next_event(now + tiny));
         const double largest =
@@ -440,27 +376,7 @@ namespace ephyra::electrophysiology
   ElectrophysiologySolver::add_crossing_probe(const double theta,
                                               const double level)
   {
-    probes.emplace_back();
-    probes.back().level = level;
-    monodomain.basis(theta, probes.back().first, probes.back().basis);
-    return static_cast<int>(probes.size()) - 1;
-  }
-
-  void
-  ElectrophysiologySolver::record_probes(const double t, const double dt)
-  {
-    for (Probe &probe : probes)
-      {
-        double before = 0, after = 0;
-        for (std::size_t a = 0; a < probe.basis.size(); ++a)
-          {
-            before += probe.basis[a] * old_v[probe.first + a];
-            after += probe.basis[a] * v[probe.first + a];
-          }
-        if (before < probe.level && after >= probe.level)
-          probe.times.push_back(t +
-                                dt * (probe.level - before) / (after - before));
-      }
+    return probes.add(monodomain, theta, level);
   }
 
   std::string
@@ -496,32 +412,23 @@ namespace ephyra::electrophysiology
     archive.value("quiet time", quiet_time);
     archive.value("EPSCs given until", epscs_given_until);
     archive.value("substeps", substeps);
-    archive.value("damped steps", damped_steps);
     if (synapses)
       synapses->serialize(archive);
     if (muscle)
       muscle->serialize(archive);
-    for (std::size_t i = 0; i < probes.size(); ++i)
-      archive.values("crossing times " + std::to_string(i), probes[i].times);
+    probes.serialize(archive);
 
     std::vector<double> G11 = monodomain.metric_G11(),
                         r   = monodomain.metric_r();
     archive.values("metric", G11);
     archive.values("radius", r);
-    double factorized_dt = system_dt;
-    archive.value("factorised step", factorized_dt);
-    double held[2] = {double(start_held), double(end_held)};
-    archive.value("start held", held[0]);
-    archive.value("end held", held[1]);
     if (archive.reading())
       {
         if (monodomain.set_metric(G11, r, 0.) && reaction)
           reaction->metric_changed();
-        system_dt = 0;
-        if (factorized_dt > 0)
-          prepare_matrix(factorized_dt, held[0] != 0, held[1] != 0);
         if (reaction)
           reaction->to_points(v.data(), points_v.data());
       }
+    diffusion.serialize(archive);
   }
 } // namespace ephyra::electrophysiology

@@ -4,6 +4,8 @@
 #include "ephyra/base/step_status.h"
 #include "ephyra/electrophysiology/activation.h"
 #include "ephyra/electrophysiology/boundary_condition.h"
+#include "ephyra/electrophysiology/crossing_probes.h"
+#include "ephyra/electrophysiology/diffusion_stepper.h"
 #include "ephyra/electrophysiology/mnn_neuron.h"
 #include "ephyra/electrophysiology/monodomain_operator.h"
 #include "ephyra/electrophysiology/nagumo.h"
@@ -28,10 +30,7 @@ namespace ephyra::electrophysiology
   /// eqs. (31), (68)-(75) of Nitti et al. 2023 (10.1016/j.apm.2023.08.003).
   /// Diffusion by Crank-Nicolson, reaction by the second-order Adams-Bashforth
   /// method (variable steps; started with one predictor-corrector step), i_a
-  /// by its mean over the step, gates by Runge-Kutta 4 with v frozen. Where an
-  /// end begins to be held, two Crank-Nicolson steps are replaced by four
-  /// backward Euler steps of half the size, which damp the jump and keep the
-  /// order (Rannacher 1984, Numerische Mathematik 43, 309).
+  /// by its mean over the step, gates by Runge-Kutta 4 with v frozen.
   ///
   /// Everything is replicated: each rank computes all of it, and the first
   /// rank's state is copied to the others after each macro step.
@@ -97,6 +96,10 @@ namespace ephyra::electrophysiology
                             MPI_Comm                      comm);
     /// An isolated cell: one point, no diffusion, never the release trigger.
     ElectrophysiologySolver(const Parameters &parameters, MPI_Comm comm);
+    /// Its parts refer to each other.
+    ElectrophysiologySolver(const ElectrophysiologySolver &) = delete;
+    ElectrophysiologySolver &
+    operator=(const ElectrophysiologySolver &) = delete;
 
     // --- deformation --------------------------------------------------------
     /// theta^1 of the points where the metric is wanted.
@@ -183,7 +186,7 @@ namespace ephyra::electrophysiology
     const std::vector<double> &
     crossing_times(int probe) const
     {
-      return probes[probe].times;
+      return probes.times(probe);
     }
 
     /// Empty where the mesh resolves a front; else what is wrong with it.
@@ -194,21 +197,11 @@ namespace ephyra::electrophysiology
     serialize(Archive &archive);
 
   private:
-    struct Probe
-    {
-      int                 first;
-      std::vector<double> basis;
-      double              level;
-      std::vector<double> times;
-    };
-
     void
     initialize();
     void
     substep(double t, double dt);
-    void
-    prepare_matrix(double dt, bool hold_start, bool hold_end);
-    /// increment = solution of the linear system for the given reaction load.
+    /// Increment of the potential for the given reaction load.
     void
     solve_increment(double t, double dt, const std::vector<double> &reaction);
     /// v by the increment, then gates and synapses.
@@ -222,8 +215,6 @@ namespace ephyra::electrophysiology
     predict_load(double t, double dt);
     bool
     blown_up() const;
-    void
-    record_probes(double t, double dt);
     std::string
     failure_reason(double t, double dt) const;
     void
@@ -235,10 +226,10 @@ namespace ephyra::electrophysiology
     MonodomainOperator          monodomain;
     std::unique_ptr<Reaction>   reaction;
     Stimulus                    stimulus;
-    BoundaryCondition           boundary_start, boundary_end;
+    DiffusionStepper            diffusion;
     std::optional<Synapses>     synapses;
     std::optional<Activation>   muscle;
-    std::vector<Probe>          probes;
+    CrossingProbes              probes;
     std::vector<double>         stimulus_load;
     std::vector<int>            stimulated_points;
     bool                        may_rest = false;
@@ -252,22 +243,13 @@ namespace ephyra::electrophysiology
     double              quiet_time        = 0;
     double              epscs_given_until = -1;
     std::int64_t        substeps          = 0;
-    std::int64_t        damped_steps      = 0; ///< still to come
-
-    // The linear system, for one step size and kind of ends.
-    linear_algebra::NarrowBandMatrix system_matrix;
-    linear_algebra::NarrowBandSolver system;
-    double                           system_dt  = 0; ///< 0: none
-    bool                             start_held = false;
-    bool                             end_held   = false;
 
     // Work space.
-    std::vector<double> increment, part_increment, part_v, old_v, points_v,
-      old_points_v, middle_v, gates_backup, combined_load, no_synapses;
+    std::vector<double> increment, total_load, old_v, points_v, old_points_v,
+      middle_v, gates_backup, combined_load, no_synapses;
     std::optional<Synapses>     synapses_backup;
     mutable std::vector<double> point_values;
 
-    static constexpr double quiet_time_needed       = 1e-3; ///< s
-    static constexpr int    damped_steps_after_jump = 2;
+    static constexpr double quiet_time_needed = 1e-3; ///< s
   };
 } // namespace ephyra::electrophysiology

@@ -1,0 +1,44 @@
+#include "ephyra/electrophysiology/crossing_probes.h"
+
+#include <string>
+
+namespace ephyra::electrophysiology
+{
+  int
+  CrossingProbes::add(const MonodomainOperator &monodomain,
+                      const double              theta,
+                      const double              level)
+  {
+    probes.emplace_back();
+    probes.back().level = level;
+    monodomain.basis(theta, probes.back().first, probes.back().basis);
+    return static_cast<int>(probes.size()) - 1;
+  }
+
+  void
+  CrossingProbes::record(const double               t,
+                         const double               dt,
+                         const std::vector<double> &old_v,
+                         const std::vector<double> &new_v)
+  {
+    for (Probe &probe : probes)
+      {
+        double before = 0, after = 0;
+        for (std::size_t a = 0; a < probe.basis.size(); ++a)
+          {
+            before += probe.basis[a] * old_v[probe.first + a];
+            after += probe.basis[a] * new_v[probe.first + a];
+          }
+        if (before < probe.level && after >= probe.level)
+          probe.times.push_back(t +
+                                dt * (probe.level - before) / (after - before));
+      }
+  }
+
+  void
+  CrossingProbes::serialize(Archive &archive)
+  {
+    for (std::size_t i = 0; i < probes.size(); ++i)
+      archive.values("crossing times " + std::to_string(i), probes[i].times);
+  }
+} // namespace ephyra::electrophysiology
