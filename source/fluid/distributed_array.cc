@@ -72,13 +72,14 @@ namespace ephyra::fluid
     if (ranks.below == MPI_PROC_NULL && ranks.above == MPI_PROC_NULL)
       return;
 
-    const std::size_t block = halo * arrays.front()->stride;
-    const std::size_t n     = arrays.size() * block;
-    AlignedVector     buffer(4 * n);
-    double *const     to_below   = buffer.data();
-    double *const     to_above   = to_below + n;
-    double *const     from_below = to_above + n;
-    double *const     from_above = from_below + n;
+    const std::size_t    block = halo * arrays.front()->stride;
+    const std::size_t    n     = arrays.size() * block;
+    static AlignedVector buffer; // kept: this runs several times a step
+    buffer.resize(std::max(buffer.size(), 4 * n));
+    double *const to_below   = buffer.data();
+    double *const to_above   = to_below + n;
+    double *const from_below = to_above + n;
+    double *const from_above = from_below + n;
 
     const auto stored = [](DistributedArray &array, const int row) {
       return array.row(row) - array.offset;
