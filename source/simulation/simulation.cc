@@ -6,6 +6,7 @@
 #include "ephyra/base/progress.h"
 #include "ephyra/base/stop_request.h"
 #include "ephyra/base/timer_tree.h"
+#include "ephyra/io/collective.h"
 #include "ephyra/version.h"
 
 #include <fstream>
@@ -35,19 +36,6 @@ namespace ephyra::simulation
             result += line + "\n";
         }
       return result;
-    }
-
-    void
-    write_text(const std::string &file_name, const ParameterHandler &prm)
-    {
-      std::ofstream out(file_name);
-      prm.write_resolved(out);
-      out.close();
-      EphyraThrowIf(!out,
-                    InputError,
-                    "Cannot write " << file_name
-                                    << "; is the disk full or the folder "
-                                       "write-protected?");
     }
   } // namespace
 
@@ -84,8 +72,8 @@ namespace ephyra::simulation
       }
     log().attach_file(folder + "/log.txt", resumes);
     write_header();
-    if (mpi::rank(comm) == 0)
-      write_text(folder + "/parameters.prm", prm);
+    if (!resumes)
+      write_parameters();
 
     time   = std::make_unique<TimeControl>(scene.time);
     output = std::make_unique<RunOutput>(scene.output, folder, comm);
@@ -96,7 +84,20 @@ namespace ephyra::simulation
       model = make_model(scene, comm);
     }
     if (resumes)
-      resume();
+      {
+        resume();
+        write_parameters(); // not before the checkpoint is found to fit them
+      }
+  }
+
+  void
+  Simulation::write_parameters() const
+  {
+    io::on_first_rank(comm, [this]() {
+      std::ostringstream text;
+      prm.write_resolved(text);
+      io::replace_file(folder + "/parameters.prm", text.str());
+    });
   }
 
   Simulation::~Simulation() = default;

@@ -26,7 +26,7 @@ namespace ephyra
     bool
     is_default() const
     {
-      return origin.empty() || value == default_value;
+      return origin.empty() || value == pattern->resolve(default_value, "");
     }
   };
 

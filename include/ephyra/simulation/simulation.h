@@ -31,6 +31,9 @@ namespace ephyra::simulation
   private:
     void
     write_header() const;
+    /// parameters.prm of the folder.
+    void
+    write_parameters() const;
     void
     resume();
     void
