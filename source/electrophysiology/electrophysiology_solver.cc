@@ -251,8 +251,9 @@ namespace ephyra::electrophysiology
     double       now   = t;
     while (t_end - now > tiny)
       {
-        if (resting() && stimulus.next_event(now - tiny) <= now + tiny)
-          quiet_time = 0;
+        if (std::min(stimulus.next_event(now - tiny),
+                     diffusion.next_event(now - tiny)) <= now + tiny)
+          quiet_time = 0; // awake where something begins
         const bool was_resting = resting();
         double     limit = std::min(t_end, diffusion.next_event(now + tiny));
         if (was_resting)

@@ -152,14 +152,17 @@ BOOST_AUTO_TEST_CASE(a_held_end_launches_a_wave_and_lets_go)
   prm.stimulus.current      = 0;
   prm.start.holds_potential = true;
   prm.start.potential       = "-69 mV";
-  prm.start.start           = 1e-3;
-  prm.start.end             = 2e-3;
+  prm.start.start           = 3e-3; // by then the tissue rests
+  prm.start.end             = 4e-3;
   ElectrophysiologySolver solver(prm, cable(), MPI_COMM_WORLD);
   const int               probe = solver.add_crossing_probe(0.9, 0.);
-  run(solver, 0, 1.5e-3);
+  run(solver, 0, 3e-3);
+  BOOST_TEST(solver.resting());
+  run(solver, 3e-3, 3.5e-3);
+  BOOST_TEST(!solver.resting());
   BOOST_TEST(solver.potential()[0] == -69e-3,
              boost::test_tools::tolerance(1e-12));
-  run(solver, 1.5e-3, 20e-3);
+  run(solver, 3.5e-3, 20e-3);
   BOOST_TEST(solver.crossing_times(probe).size() == 1u);
 }
 
