@@ -6,7 +6,7 @@ namespace ephyra::simulation
 {
   BodyModel::BodyModel(const Scene &scene, const MPI_Comm comm)
     : body(build_body(scene, geometry::create_body(scene.body), comm))
-    , body_output(std::make_unique<BodyOutput>(*body))
+    , body_output(std::make_unique<BodyOutput>(*body, scene.body_probes))
   {
   }
 
@@ -31,6 +31,12 @@ namespace ephyra::simulation
   BodyModel::evaluate(Record &record)
   {
     body->evaluate(record);
+  }
+
+  void
+  BodyModel::write_probes(const double time, RunOutput &output) const
+  {
+    body_output->write_probes(time, output);
   }
 
   void

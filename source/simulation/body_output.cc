@@ -4,14 +4,25 @@
 
 namespace ephyra::simulation
 {
-  BodyOutput::BodyOutput(coupling::DeformableBody &body)
+  BodyOutput::BodyOutput(coupling::DeformableBody     &body,
+                         const std::vector<BodyProbe> &probe_list)
     : body(body)
     , fields(body.mechanics().body().patch())
     , side(body.mechanics().body().patch(), splines::Side::theta2_0)
+    , probes(probe_list, body.mechanics().body().patch())
     , net(dynamic_cast<const coupling::NerveNet *>(body.activation()))
   {
     if (net)
       line = LineProfile(net->line());
+  }
+
+  void
+  BodyOutput::write_probes(const double time, RunOutput &output) const
+  {
+    probes.write(time,
+                 body.mechanics().displacement(),
+                 body.mechanics().velocity(),
+                 output);
   }
 
   void

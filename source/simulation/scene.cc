@@ -100,6 +100,10 @@ namespace ephyra::simulation
     }
     fluid::FlowParameters::declare(prm);
     immersed_boundary::Parameters::declare(prm);
+    prm.declare_repeated_subsection("Body probe",
+                                    BodyProbe::declare,
+                                    "A material point of the deformable body, "
+                                    "by any name.");
     prm.declare_repeated_subsection("Rigid body",
                                     declare_rigid_body,
                                     "A rigid body in the flow, by any name.");
@@ -174,6 +178,8 @@ namespace ephyra::simulation
         const ParameterHandler::Section section(prm, "Body");
         body.parse(prm);
       }
+    if (elasticity)
+      body_probes = BodyProbe::parse_all(prm);
     if (electrophysiology && !elasticity)
       {
         const ParameterHandler::Section section(prm, "Tissue");

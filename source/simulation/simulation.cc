@@ -165,6 +165,7 @@ namespace ephyra::simulation
         model->evaluate(record);
         output->collect(time->time(), record);
         output->add_row("statistics", time->time(), record);
+        model->write_probes(time->time(), *output);
         Record iterations;
         model->evaluate_iterations(iterations);
         if (!iterations.all().empty())

@@ -12,6 +12,7 @@ namespace ephyra::simulation
         scene.activation);
     kinematics = std::make_unique<diagnostics::BodyKinematics>(shape.patch);
     fields     = std::make_unique<BodyFields>(shape.patch);
+    probes     = std::make_unique<BodyProbes>(scene.body_probes, shape.patch);
     for (const splines::Side side : elasticity::all_sides)
       sides.emplace_back(elasticity::name(side),
                          LineProfile(shape.patch, side));
@@ -47,6 +48,13 @@ namespace ephyra::simulation
     record.add("smallest J [-]", measures.smallest_J);
     record.add("largest J [-]", measures.largest_J);
     record.add("elastic energy [J]", measures.elastic_energy);
+  }
+
+  void
+  StaticsModel::write_probes(const double time, RunOutput &output) const
+  {
+    const auto &u = solver->displacement();
+    probes->write(time, u, std::vector<double>(u.size(), 0.), output);
   }
 
   void

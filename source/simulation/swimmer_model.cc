@@ -12,14 +12,23 @@ namespace ephyra::simulation
     flow = std::make_unique<fluid::FlowSolver>(scene.fluid, comm);
     body = build_body(scene, shape, comm);
     std::vector<splines::Side> wet_sides;
-    for (const geometry::WetSide &side : shape.wet_sides)
-      wet_sides.push_back(side.side);
+    // The ends of a periodic body do not touch the flow.
+    const elasticity::Tie tie = scene.mechanics.body.tie;
+    for (const geometry::WetSide &wet : shape.wet_sides)
+      {
+        const bool end1 = wet.side == splines::Side::theta1_0 ||
+                          wet.side == splines::Side::theta1_1;
+        if ((tie == elasticity::Tie::theta1 && end1) ||
+            (tie == elasticity::Tie::theta2 && !end1))
+          continue;
+        wet_sides.push_back(wet.side);
+      }
     surface = std::make_unique<coupling::WetSurface>(
       scene.immersed_boundary, shape.patch, wet_sides, *flow);
     body->mechanics().allow_coupling(surface->coupling_pattern());
     scheme = coupling::make_fluid_structure_scheme(
       scene.coupling, *flow, *body, *surface);
-    body_output = std::make_unique<BodyOutput>(*body);
+    body_output = std::make_unique<BodyOutput>(*body, scene.body_probes);
   }
 
   StepStatus
@@ -64,6 +73,12 @@ namespace ephyra::simulation
   SwimmerModel::iterations() const
   {
     return last_iterations;
+  }
+
+  void
+  SwimmerModel::write_probes(const double time, RunOutput &output) const
+  {
+    body_output->write_probes(time, output);
   }
 
   void

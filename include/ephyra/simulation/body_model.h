@@ -20,6 +20,8 @@ namespace ephyra::simulation
     void
     evaluate(Record &record) override;
     void
+    write_probes(double time, RunOutput &output) const override;
+    void
     write_profiles(double time, RunOutput &output) const override;
     void
     write_fields(double time, RunOutput &output) override;

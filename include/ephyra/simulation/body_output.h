@@ -3,6 +3,7 @@
 #include "ephyra/coupling/deformable_body.h"
 #include "ephyra/coupling/nerve_net.h"
 #include "ephyra/simulation/body_fields.h"
+#include "ephyra/simulation/body_probes.h"
 #include "ephyra/simulation/line_profile.h"
 
 #include <optional>
@@ -14,8 +15,11 @@ namespace ephyra::simulation
   class BodyOutput
   {
   public:
-    explicit BodyOutput(coupling::DeformableBody &body);
+    BodyOutput(coupling::DeformableBody     &body,
+               const std::vector<BodyProbe> &probes);
 
+    void
+    write_probes(double time, RunOutput &output) const;
     void
     write_profiles(double time, RunOutput &output) const;
     void
@@ -25,6 +29,7 @@ namespace ephyra::simulation
     coupling::DeformableBody  &body;
     BodyFields                 fields;
     LineProfile                side;
+    BodyProbes                 probes;
     const coupling::NerveNet  *net;  ///< null: none
     std::optional<LineProfile> line; ///< of the nerve net
   };

@@ -37,6 +37,11 @@ namespace ephyra::simulation
     {
       return std::numeric_limits<double>::infinity();
     }
+    /// Rows of probes/, as often as statistics.
+    virtual void
+    write_probes(double, RunOutput &) const
+    {
+    }
     /// Rows of profiles/.
     virtual void
     write_profiles(double time, RunOutput &output) const = 0;

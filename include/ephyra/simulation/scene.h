@@ -11,6 +11,7 @@
 #include "ephyra/geometry/shapes.h"
 #include "ephyra/immersed_boundary/parameters.h"
 #include "ephyra/immersed_boundary/rigid_body.h"
+#include "ephyra/simulation/body_probes.h"
 #include "ephyra/simulation/run_output.h"
 
 #include <string>
@@ -36,7 +37,7 @@ namespace ephyra::simulation
     bool   flow              = false;
     bool   rigid_bodies      = false;
     Muscle muscle            = Muscle::none;
-    int nested_elements = 34; ///< of the line in each element of the body
+    int    nested_elements   = 34; ///< of the line in each element of the body
     int distributed_unknowns = 20000; ///< of a body: from here on it is shared
                                       ///< among the ranks
 
@@ -49,6 +50,7 @@ namespace ephyra::simulation
 
     // --- physics ----------------------------------------------------------
     geometry::BodyParameters  body;
+    std::vector<BodyProbe>    body_probes;
     geometry::CurveParameters tissue_line;
     bool                      single_cell = false;
     std::vector<double> crossing_points; ///< theta^1 of probes of the tissue

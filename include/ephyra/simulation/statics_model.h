@@ -22,6 +22,8 @@ namespace ephyra::simulation
     void
     evaluate(Record &record) override;
     void
+    write_probes(double time, RunOutput &output) const override;
+    void
     write_profiles(double time, RunOutput &output) const override;
     void
     write_fields(double time, RunOutput &output) override;
@@ -33,6 +35,7 @@ namespace ephyra::simulation
     std::unique_ptr<electrophysiology::PrescribedActivation> muscle;
     std::unique_ptr<diagnostics::BodyKinematics>             kinematics;
     std::unique_ptr<BodyFields>                              fields;
+    std::unique_ptr<BodyProbes>                              probes;
     std::vector<std::pair<std::string, LineProfile>>         sides;
     elasticity::StaticsSolver::Result                        result;
   };

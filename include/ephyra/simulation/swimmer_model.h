@@ -28,6 +28,8 @@ namespace ephyra::simulation
     double
     iterations() const override;
     void
+    write_probes(double time, RunOutput &output) const override;
+    void
     write_profiles(double time, RunOutput &output) const override;
     void
     write_fields(double time, RunOutput &output) override;
