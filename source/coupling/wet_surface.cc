@@ -48,7 +48,8 @@ namespace ephyra::coupling
                          const splines::NurbsPatch<2>        &patch,
                          const std::vector<splines::Side>    &wet_sides,
                          const fluid::FlowSolver             &flow)
-    : grid(flow.grid())
+    : wet_sides(wet_sides)
+    , grid(flow.grid())
     , density(flow.density())
     , the_markers(std::make_unique<Markers>(curves(patch, wet_sides),
                                             control_vector(patch),
@@ -158,11 +159,18 @@ namespace ephyra::coupling
   }
 
   void
-  WetSurface::probe_load(const fluid::FlowSolver &flow,
-                         std::vector<double>     &load)
+  WetSurface::evaluate_loads(const fluid::FlowSolver &flow)
   {
     surface_loads->update(*the_markers);
     surface_loads->evaluate(*the_markers, flow.pressure(), flow.velocity());
+  }
+
+  void
+  WetSurface::probe_load(const fluid::FlowSolver &flow,
+                         std::vector<double>     &load)
+  {
+    evaluate_loads(flow);
+
     the_markers->to_control_points(surface_loads->marker_forces(*the_markers),
                                    load);
   }

@@ -63,4 +63,17 @@ namespace ephyra::simulation
       row.push_back(values[k * n_components + component]);
     output.add_profile(name, time, names, row);
   }
+
+  void
+  LineProfile::write(const std::string                   &name,
+                     const double                         time,
+                     const std::function<double(double)> &function,
+                     RunOutput                           &output)
+  {
+    const std::vector<double> points = equal_parameters();
+    std::vector<double>       row;
+    for (const double theta : points)
+      row.push_back(function(theta));
+    output.add_profile(name, time, column_names(points), row);
+  }
 } // namespace ephyra::simulation

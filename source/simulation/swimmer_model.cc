@@ -28,7 +28,8 @@ namespace ephyra::simulation
     body->mechanics().allow_coupling(surface->coupling_pattern());
     scheme = coupling::make_fluid_structure_scheme(
       scene.coupling, *flow, *body, *surface);
-    body_output = std::make_unique<BodyOutput>(*body, scene.body_probes);
+    body_output    = std::make_unique<BodyOutput>(*body, scene.body_probes);
+    surface_output = std::make_unique<SurfaceOutput>(*body, *surface, *flow);
   }
 
   StepStatus
@@ -85,6 +86,7 @@ namespace ephyra::simulation
   SwimmerModel::write_profiles(const double time, RunOutput &output) const
   {
     body_output->write_profiles(time, output);
+    surface_output->write_profiles(time, output);
   }
 
   void
@@ -94,6 +96,7 @@ namespace ephyra::simulation
     flow->write(grid);
     output.add_fields("flow", time, grid);
     body_output->write_fields(time, output);
+    surface_output->write_fields(time, output);
   }
 
   void

@@ -84,6 +84,11 @@ namespace ephyra::coupling
     {
       return solver;
     }
+    const elasticity::ElasticitySolver &
+    mechanics() const
+    {
+      return solver;
+    }
     const ActivationSource *
     activation() const
     {

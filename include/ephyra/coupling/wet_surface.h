@@ -61,7 +61,10 @@ namespace ephyra::coupling
     Matrix
     forcing_resistance(double dt) const;
 
-    /// Loads by the probes, consistent nodal forces, N; collective.
+    /// Traction at the markers by the probes, see loads(); collective.
+    void
+    evaluate_loads(const fluid::FlowSolver &flow);
+    /// The same as consistent nodal forces, N; collective.
     void
     probe_load(const fluid::FlowSolver &flow, std::vector<double> &load);
 
@@ -75,6 +78,12 @@ namespace ephyra::coupling
     double
     slip(const fluid::VelocityField &velocity) const;
 
+    /// Wetted sides of the patch; side k is curve k of the markers.
+    const std::vector<splines::Side> &
+    sides() const
+    {
+      return wet_sides;
+    }
     const immersed_boundary::Markers &
     markers() const
     {
@@ -92,6 +101,7 @@ namespace ephyra::coupling
     void
     assemble_shape();
 
+    const std::vector<splines::Side>                  wet_sides;
     const fluid::StaggeredGrid                       &grid;
     const double                                      density;
     std::unique_ptr<immersed_boundary::Markers>       the_markers;

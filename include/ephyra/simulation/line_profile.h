@@ -4,6 +4,7 @@
 #include "ephyra/splines/field_evaluation.h"
 #include "ephyra/splines/nurbs_patch.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,13 @@ namespace ephyra::simulation
           int                        component,
           RunOutput                 &output) const;
 
-    const std::vector<double> &
-    theta() const
-    {
-      return points;
-    }
+    /// Any function of theta^1 at the same places.
+    static void
+    write(const std::string                   &name,
+          double                               time,
+          const std::function<double(double)> &function,
+          RunOutput                           &output);
+
 
   private:
     std::vector<double>       points;

@@ -6,6 +6,7 @@
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/simulation/body_output.h"
 #include "ephyra/simulation/model.h"
+#include "ephyra/simulation/surface_output.h"
 
 namespace ephyra::simulation
 {
@@ -42,6 +43,7 @@ namespace ephyra::simulation
     std::unique_ptr<coupling::WetSurface>     surface;
     std::unique_ptr<coupling::Scheme>         scheme;
     std::unique_ptr<BodyOutput>               body_output;
+    std::unique_ptr<SurfaceOutput>            surface_output;
     double                                    last_cfl        = 0;
     double                                    last_iterations = 0;
   };
