@@ -181,9 +181,10 @@ namespace ephyra::fluid
       case ViscousTreatment::automatic:
         if (number_r + number_y <= limit)
           break;
-        // One direction where that is enough, else both.
-        chosen.r = number_r > number_y || number_y > limit;
-        chosen.y = number_y >= number_r || number_r > limit;
+        // The worse direction, and the other one where it exceeds the limit
+        // by itself.
+        chosen.r = number_r >= number_y || number_r > limit;
+        chosen.y = number_y > number_r || number_y > limit;
         break;
       }
     if (started && chosen.r == implicit.r && chosen.y == implicit.y)

@@ -120,6 +120,12 @@ namespace ephyra::fluid
     /// viscosity is zero.
     double
     viscous_time_step_limit() const;
+    /// Directions in which viscosity is implicit; known once a step has begun.
+    ImplicitDirections
+    implicit_directions() const
+    {
+      return implicit;
+    }
     const PoissonSolver &
     poisson() const
     {

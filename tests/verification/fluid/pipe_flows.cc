@@ -188,6 +188,36 @@ BOOST_AUTO_TEST_CASE(womersley)
     }
 }
 
+BOOST_AUTO_TEST_CASE(oscillating_pressure)
+{
+  // The same flow driven by the pressure at one end, explicit and implicit.
+  constexpr double alpha = 5.;
+  for (const bool implicit : {true, false})
+    {
+      double previous = 0;
+      for (const int n : {8, 16, 32})
+        {
+          FlowParameters parameters =
+            unit_pipe(n, 0.5, omega / (alpha * alpha));
+          parameters.lower.kind = parameters.upper.kind = SideKind::pressure;
+          parameters.lower.pressure                     = "0.5*cos(2*pi*t)";
+          parameters.viscous =
+            implicit ? ViscousTreatment::implicit : ViscousTreatment::explicit_;
+          const double error = oscillation_error(
+            parameters,
+            [&](const double r) {
+              return (1. - wall_layer(alpha, r)) / Complex(0, omega);
+            },
+            implicit ? 2 * n : n * n);
+          BOOST_TEST_MESSAGE("n = " << n << ": error " << error);
+          if (previous > 0)
+            BOOST_TEST(std::log2(previous / error) > 1.8);
+          previous = error;
+        }
+      BOOST_TEST(previous < 5e-3);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(oscillating_wall)
 {
   constexpr double alpha = 5.;

@@ -107,4 +107,36 @@ BOOST_AUTO_TEST_CASE(order_in_time)
       }
 }
 
+BOOST_AUTO_TEST_CASE(one_implicit_direction)
+{
+  // Cells flat in one direction make that one implicit; the step is then an
+  // order of magnitude above the explicit limit.
+  for (const bool flat_in_y : {true, false})
+    {
+      double previous = 0;
+      for (const int n : {8, 16, 32})
+        {
+          FlowParameters parameters = unit_pipe(n, 2., no_slip_mode.viscosity);
+          (flat_in_y ? parameters.grid.y : parameters.grid.r).spacings = {
+            1. / (8 * n)};
+          parameters.convection = false;
+          FlowSolver flow(parameters, MPI_COMM_WORLD);
+          flow.set_initial_velocity(no_slip_mode.v_r(0), no_slip_mode.v_y(0));
+          const int n_steps = n * n / 4;
+          run(flow, 0.2, n_steps);
+          BOOST_TEST(flow.implicit_directions().y == flat_in_y);
+          BOOST_TEST(flow.implicit_directions().r == !flat_in_y);
+          BOOST_TEST(0.2 / n_steps > 5 * flow.viscous_time_step_limit());
+          const double error =
+            relative_error(flow, no_slip_mode.v_r(0.2), no_slip_mode.v_y(0.2));
+          BOOST_TEST_MESSAGE("implicit in " << (flat_in_y ? "y" : "r")
+                                            << ", n = " << n << ": error "
+                                            << error);
+          if (previous > 0)
+            BOOST_TEST(std::log2(previous / error) > 1.85);
+          previous = error;
+        }
+    }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
