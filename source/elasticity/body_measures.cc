@@ -8,9 +8,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace ephyra::elasticity
 {
+  std::string
+  ElasticityOperator::description() const
+  {
+    const double       mu = prm.material.shear_modulus();
+    const double       nu = prm.material.poisson_ratio();
+    std::ostringstream text;
+    text << "small-strain E = " << 2. * mu * (1. + nu) << " Pa, nu = " << nu;
+    if (active_strain.active())
+      text << "; the muscle shortens fibres by at most " << shortening;
+    return text.str();
+  }
+
   AxisymmetricTensor
   ElasticityOperator::elastic_part(const AxisymmetricTensor &F,
                                    const AxisymmetricTensor &active) const

@@ -21,6 +21,7 @@ namespace ephyra::simulation
       (distributed ? "distributed over the ranks" : "computed on every rank"));
     auto body = std::make_unique<coupling::DeformableBody>(
       scene.mechanics, shape.patch, distributed ? comm : MPI_COMM_SELF, comm);
+    log().line("Body: " + body->mechanics().body().description());
 
     const auto &points = body->mechanics().body().activation_points();
     if (scene.muscle == Scene::Muscle::prescribed)

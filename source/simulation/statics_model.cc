@@ -1,5 +1,7 @@
 #include "ephyra/simulation/statics_model.h"
 
+#include "ephyra/base/log.h"
+
 namespace ephyra::simulation
 {
   StaticsModel::StaticsModel(const Scene &scene, const MPI_Comm comm)
@@ -7,6 +9,7 @@ namespace ephyra::simulation
     const geometry::BodyPatch shape = geometry::create_body(scene.body);
     solver = std::make_unique<elasticity::StaticsSolver>(
       scene.equilibrium, shape.patch, comm);
+    log().line("Body: " + solver->body().description());
     if (scene.muscle == Scene::Muscle::prescribed)
       muscle = std::make_unique<electrophysiology::PrescribedActivation>(
         scene.activation);

@@ -77,6 +77,10 @@ namespace ephyra::elasticity
     linear_algebra::SparsityPattern
     sparsity_pattern() const;
 
+    /// Stiffness and largest shortening in words, for the log.
+    std::string
+    description() const;
+
     // --- state of the loads ------------------------------------------------
     /// Loads and prescribed displacements at time t (s), times a factor.
     void

@@ -19,7 +19,7 @@ namespace ephyra::elasticity
     std::vector<double> constant;
     /// Minus the added mass, kg; only rows and columns of the wet surface.
     const Eigen::SparseMatrix<double, Eigen::RowMajor> *added = nullptr;
-        /// Of the mass of the surroundings that moves with the body to its own.
+    /// Of the mass of the surroundings that moves with the body to its own.
     double inertia_ratio = 0.;
     /// The load acts with its value at n + 1 instead of being weighted to
     /// n + alpha_f, eq. (65), in which the load at n takes part. A load that

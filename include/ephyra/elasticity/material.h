@@ -59,6 +59,13 @@ namespace ephyra::elasticity
       return 2. * K;
     }
 
+    double
+    poisson_ratio() const
+    {
+      const double mu = shear_modulus(), kappa = bulk_modulus();
+      return (3. * kappa - 2. * mu) / (2. * (3. * kappa + mu));
+    }
+
     static void
     declare(ParameterHandler &prm);
     void

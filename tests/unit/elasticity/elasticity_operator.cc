@@ -199,10 +199,10 @@ BOOST_AUTO_TEST_CASE(work_of_the_muscle_is_the_energy_it_stores)
   ElasticityOperator        op(prm, patch, MPI_COMM_WORLD);
   const auto                u = deformed(patch, 0.1);
   const std::vector<double> v(u.size(), 0.);
-  const auto                n    = op.activation_points().size();
-  double                    work = 0.;
-  const double start = op.measures(u, v).elastic_energy;
-  const int    steps = 200;
+  const auto                n     = op.activation_points().size();
+  double                    work  = 0.;
+  const double              start = op.measures(u, v).elastic_energy;
+  const int                 steps = 200;
   for (int k = 0; k < steps; ++k)
     work += op.muscle_work(u,
                            std::vector<double>(n, double(k) / steps),

@@ -41,9 +41,9 @@ BOOST_AUTO_TEST_CASE(defaults)
   BOOST_TEST(prm.newton.max_iterations == 30);
 }
 
-BOOST_AUTO_TEST_CASE(a_scene_of_statics)
+BOOST_AUTO_TEST_CASE(entries_of_a_body)
 {
-  const auto prm = parsed<StaticsSolver::Parameters>(R"(
+  const auto prm = parsed<ElasticitySolver::Parameters>(R"(
     set Moduli = Young and Poisson
     set Young modulus = 100 MPa
     set Poisson ratio = 0.3
@@ -63,9 +63,7 @@ BOOST_AUTO_TEST_CASE(a_scene_of_statics)
       set Pressure acts on = reference surface
       set Radial traction = r*sin(t)
     end
-    subsection Statics
-      set Load steps = 7
-    end)");
+    )");
   BOOST_TEST(prm.body.material.shear_modulus() == 1e8 / 2.6,
              boost::test_tools::tolerance(1e-12));
   BOOST_TEST(prm.body.material.small_strain);
@@ -75,13 +73,20 @@ BOOST_AUTO_TEST_CASE(a_scene_of_statics)
   BOOST_TEST(prm.body.sides[0].displacement[1]({0., 0., 0., 2.}) == 0.2);
   BOOST_TEST(prm.body.sides[3].pressure({0., 0., 0., 0.}) == 2000.);
   BOOST_TEST(!prm.body.sides[3].follower);
+}
+
+BOOST_AUTO_TEST_CASE(entries_of_statics)
+{
+  const auto prm = parsed<StaticsSolver::Parameters>(
+    "subsection Statics\nset Load steps = 7\nend");
   BOOST_TEST(prm.n_steps == 7);
+  BOOST_TEST(prm.ramp);
 }
 
 BOOST_AUTO_TEST_CASE(contradictions_are_reported)
 {
   const auto fails = [](const std::string &text, const std::string &message) {
-    BOOST_CHECK_EXCEPTION(parsed<StaticsSolver::Parameters>(text),
+    BOOST_CHECK_EXCEPTION(parsed<ElasticitySolver::Parameters>(text),
                           InputError,
                           [&](const InputError &e) {
                             return std::string(e.what()).find(message) !=
