@@ -7,67 +7,9 @@
 
 namespace ephyra::immersed_boundary
 {
-  using splines::KnotVector;
   using splines::NurbsPatch;
   using splines::Point;
   using splines::Side;
-
-  namespace
-  {
-    /// A chain of quadratic rational segments, each given by its middle
-    /// control point (with weight) and its end.
-    class Chain
-    {
-    public:
-      explicit Chain(const Point start)
-        : points{start}
-        , weights{1.}
-      {
-      }
-
-      void
-      line_to(const Point end)
-      {
-        const Point a = points.back();
-        add({0.5 * (a.r + end.r), 0.5 * (a.y + end.y)}, 1., end);
-      }
-
-      /// Quarter of an ellipse with the tangents meeting at the corner.
-      void
-      quarter_to(const Point corner, const Point end)
-      {
-        add(corner, std::sqrt(0.5), end);
-      }
-
-      Outline
-      outline(const std::string &name) const
-      {
-        const int           n_segments = static_cast<int>(points.size()) / 2;
-        std::vector<double> knots(3, 0.);
-        for (int s = 1; s < n_segments; ++s)
-          knots.insert(knots.end(), 2, static_cast<double>(s) / n_segments);
-        knots.insert(knots.end(), 3, 1.);
-        std::vector<int> index(points.size());
-        std::iota(index.begin(), index.end(), 0);
-        return {{{NurbsPatch<1>({KnotVector(2, knots)}, points, weights),
-                  index,
-                  1,
-                  name}},
-                points};
-      }
-
-    private:
-      void
-      add(const Point middle, const double weight, const Point end)
-      {
-        points.insert(points.end(), {middle, end});
-        weights.insert(weights.end(), {weight, 1.});
-      }
-
-      std::vector<Point>  points;
-      std::vector<double> weights;
-    };
-  } // namespace
 
   BoundaryCurve
   side_curve(const NurbsPatch<2> &patch,
@@ -103,59 +45,21 @@ namespace ephyra::immersed_boundary
   }
 
   Outline
-  spheroid_outline(const double       radius,
-                   const double       half_length,
-                   const std::string &name)
+  body_outline(const geometry::BodyPatch &body, const std::string &name)
   {
-    EphyraThrowIf(!(radius > 0) || !(half_length > 0),
-                  InputError,
-                  "Body '" << name << "' has the radius " << radius
-                           << " m and the half length " << half_length
-                           << " m; both must be positive.");
-    Chain chain({0., -half_length});
-    chain.quarter_to({radius, -half_length}, {radius, 0.});
-    chain.quarter_to({radius, half_length}, {0., half_length});
-    return chain.outline(name);
+    std::vector<Side> sides;
+    for (const geometry::WetSide &wet : body.wet_sides)
+      sides.push_back(wet.side);
+    return patch_outline(body.patch, sides, name);
   }
 
   Outline
-  torus_outline(const double       centre_line_radius,
-                const double       core_radius,
-                const std::string &name)
+  curve_outline(const geometry::BodyCurve &curve, const std::string &name)
   {
-    const double R = centre_line_radius, a = core_radius;
-    EphyraThrowIf(!(a > 0) || !(R > a),
-                  InputError,
-                  "Torus '" << name << "' has the core radius " << a
-                            << " m and the centre line radius " << R
-                            << " m; the core radius must be positive and "
-                               "smaller than the centre line radius.");
-    Chain chain({R + a, 0.});
-    chain.quarter_to({R + a, a}, {R, a});
-    chain.quarter_to({R - a, a}, {R - a, 0.});
-    chain.quarter_to({R - a, -a}, {R, -a});
-    chain.quarter_to({R + a, -a}, {R + a, 0.});
-    return chain.outline(name);
-  }
-
-  Outline
-  disk_outline(const double       radius,
-               const double       thickness,
-               const std::string &name)
-  {
-    const double h = 0.5 * thickness, inner = radius - h;
-    EphyraThrowIf(!(h > 0) || !(inner > 0),
-                  InputError,
-                  "Disk '" << name << "' has the radius " << radius
-                           << " m and the thickness " << thickness
-                           << " m; the thickness must be positive and smaller "
-                              "than twice the radius.");
-    Chain chain({0., -h});
-    chain.line_to({inner, -h});
-    chain.quarter_to({radius, -h}, {radius, 0.});
-    chain.quarter_to({radius, h}, {inner, h});
-    chain.line_to({0., h});
-    return chain.outline(name);
+    std::vector<int> index(curve.curve.n_control_points());
+    std::iota(index.begin(), index.end(), 0);
+    return {{{curve.curve, index, curve.reversed ? -1 : 1, name}},
+            curve.curve.control_points()};
   }
 
   std::vector<double>

@@ -2,6 +2,7 @@
 
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/parameter_handler.h"
+#include "ephyra/geometry/shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,20 +12,35 @@ namespace ephyra::immersed_boundary
 {
   namespace
   {
+    /// With the reference point at y = 0.
     Outline
     make_outline(const RigidBody::Parameters &p)
     {
-      switch (p.shape)
+      geometry::Discretization discretization;
+      discretization.degree     = {3, 3};
+      discretization.n_elements = {8, 1};
+      if (p.shape == "sphere" || p.shape == "spheroid" || p.shape == "torus")
         {
-        case RigidBody::Shape::spheroid:
-          return spheroid_outline(p.radius, p.half_length, p.name);
-        case RigidBody::Shape::torus:
-          return torus_outline(p.radius, p.core_radius, p.name);
-        case RigidBody::Shape::disk:
-          return disk_outline(p.radius, p.thickness, p.name);
-        default:
-          return spheroid_outline(p.radius, p.radius, p.name);
+          geometry::CurveParameters curve;
+          curve.shape          = p.shape;
+          curve.radius         = p.radius;
+          curve.half_height    = p.half_height;
+          curve.ring_radius    = p.ring_radius;
+          curve.core_radius    = p.core_radius;
+          curve.discretization = discretization;
+          return curve_outline(geometry::create_curve(curve), p.name);
         }
+      geometry::BodyParameters body;
+      body.shape          = p.shape;
+      body.radius         = p.radius;
+      body.outer_radius   = p.radius;
+      body.inner_radius   = p.inner_radius;
+      body.length         = p.length;
+      body.thickness      = p.thickness;
+      body.bell           = p.bell;
+      body.file_name      = p.file_name;
+      body.discretization = discretization;
+      return body_outline(geometry::create_body(body), p.name);
     }
 
     /// Of the control points, which lie on the surface or its tangents there.
@@ -41,31 +57,43 @@ namespace ephyra::immersed_boundary
   void
   RigidBody::Parameters::declare(ParameterHandler &prm)
   {
-    prm.declare_entry("Shape",
-                      "sphere",
-                      patterns::Selection("sphere|spheroid|torus|disk"),
-                      "Shape of the body.");
-    prm.declare_entry("Radius",
-                      "0.5 m",
-                      patterns::Positive("m"),
-                      "Radius of a sphere, a spheroid (at its equator) or a "
-                      "disk; radius of the centre line of a torus.");
-    prm.declare_entry("Half length",
-                      "0.5 m",
-                      patterns::Positive("m"),
-                      "Half the length of a spheroid along the axis.");
-    prm.declare_entry("Core radius",
-                      "0.1 m",
-                      patterns::Positive("m"),
-                      "Radius of the circular section of a torus.");
-    prm.declare_entry("Thickness",
-                      "0.1 m",
-                      patterns::Positive("m"),
-                      "Thickness of a disk; its rim is rounded.");
-    prm.declare_entry("Centre",
+    const auto length = [&prm](const std::string &name,
+                               const std::string &value,
+                               const std::string &text) {
+      prm.declare_entry(name, value, patterns::Positive("m"), text);
+    };
+    prm.declare_entry(
+      "Shape",
+      "sphere",
+      patterns::Selection("sphere|spheroid|torus|disk|rod|tube|bell|file"),
+      "Shape of the body; its dimensions follow below, those of other shapes "
+      "are ignored.");
+    length("Radius",
+           "0.5 m",
+           "Radius of a sphere, disk or rod, of the equator of a spheroid, "
+           "outer radius of a tube.");
+    length("Half height", "0.5 m", "Axial half axis of a spheroid.");
+    length("Ring radius",
+           "0.75 m",
+           "Distance of the core of a torus from the axis.");
+    length("Core radius", "0.25 m", "Radius of the core of a torus.");
+    length("Inner radius", "0.25 m", "Inner radius of a tube.");
+    length("Length", "1 m", "Length of a rod or tube.");
+    length("Thickness", "0.1 m", "Thickness of a disk.");
+    prm.declare_entry("Patch file",
+                      "",
+                      patterns::Anything(),
+                      "File of control points, for the shape 'file'.");
+    prm.declare_entry("Position",
                       "0 m",
                       patterns::Double("m"),
-                      "Height y of the centre at the beginning.");
+                      "Height y at the beginning of the centre of a sphere, "
+                      "spheroid or torus, the lower end of a disk, rod or "
+                      "tube, the apex of a bell, y = 0 of a patch file.");
+    {
+      const ParameterHandler::Section section(prm, "Bell");
+      geometry::BellParameters::declare(prm);
+    }
     prm.declare_entry("Motion",
                       "fixed",
                       patterns::Selection("fixed|prescribed|free"),
@@ -103,10 +131,6 @@ namespace ephyra::immersed_boundary
   void
   RigidBody::Parameters::parse(ParameterHandler &prm)
   {
-    const std::map<std::string, Shape>  shapes{{"sphere", Shape::sphere},
-                                              {"spheroid", Shape::spheroid},
-                                              {"torus", Shape::torus},
-                                              {"disk", Shape::disk}};
     const std::map<std::string, Motion> motions{
       {"fixed", Motion::fixed},
       {"prescribed", Motion::prescribed},
@@ -115,12 +139,20 @@ namespace ephyra::immersed_boundary
       {"automatic", InteriorFluid::automatic},
       {"rigid", InteriorFluid::rigid},
       {"measured", InteriorFluid::measured}};
-    shape              = shapes.at(prm.get("Shape"));
-    radius             = prm.get_double("Radius");
-    half_length        = prm.get_double("Half length");
-    core_radius        = prm.get_double("Core radius");
-    thickness          = prm.get_double("Thickness");
-    centre_y           = prm.get_double("Centre");
+    shape        = prm.get("Shape");
+    radius       = prm.get_double("Radius");
+    half_height  = prm.get_double("Half height");
+    ring_radius  = prm.get_double("Ring radius");
+    core_radius  = prm.get_double("Core radius");
+    inner_radius = prm.get_double("Inner radius");
+    length       = prm.get_double("Length");
+    thickness    = prm.get_double("Thickness");
+    file_name    = prm.get("Patch file");
+    position     = prm.get_double("Position");
+    {
+      const ParameterHandler::Section section(prm, "Bell");
+      bell.parse(prm);
+    }
     motion             = motions.at(prm.get("Motion"));
     velocity           = prm.get("Velocity");
     density            = prm.get_double("Density");
@@ -142,7 +174,7 @@ namespace ephyra::immersed_boundary
     , mass(parameters.density * volume)
     , reference_area(parameters.reference_area > 0 ? parameters.reference_area
                                                    : largest_section(outline))
-    , position(parameters.centre_y)
+    , position(parameters.position)
     , velocity_law(parameters.velocity, {"t"})
   {
     velocity = law(0.);

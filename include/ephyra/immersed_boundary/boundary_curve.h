@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ephyra/splines/nurbs_patch.h"
+#include "ephyra/geometry/body_patch.h"
 
 #include <string>
 #include <vector>
@@ -43,19 +43,13 @@ namespace ephyra::immersed_boundary
                 const std::vector<splines::Side> &sides,
                 const std::string                &name);
 
-  /// Exact outlines with the centre at y = 0, m. Each throws InputError where
-  /// a length is not positive or the lengths contradict each other.
+  /// All wet sides of a body.
   Outline
-  spheroid_outline(double             radius,
-                   double             half_length,
-                   const std::string &name); ///< sphere: equal lengths
+  body_outline(const geometry::BodyPatch &body, const std::string &name);
+
+  /// An outline given as one curve, e.g. of a sphere.
   Outline
-  torus_outline(double             centre_line_radius,
-                double             core_radius,
-                const std::string &name);
-  /// A plate with a rounded rim.
-  Outline
-  disk_outline(double radius, double thickness, const std::string &name);
+  curve_outline(const geometry::BodyCurve &curve, const std::string &name);
 
   /// Control vector of the outline, moved by @p shift along y.
   std::vector<double>

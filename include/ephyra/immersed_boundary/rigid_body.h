@@ -2,6 +2,7 @@
 
 #include "ephyra/base/archive.h"
 #include "ephyra/base/expression.h"
+#include "ephyra/geometry/bell.h"
 #include "ephyra/immersed_boundary/boundary_curve.h"
 
 #include <string>
@@ -33,29 +34,28 @@ namespace ephyra::immersed_boundary
       rigid,     ///< its momentum is m_f V
       measured   ///< its momentum is integrated after the projection
     };
-    enum class Shape
-    {
-      sphere,
-      spheroid,
-      torus,
-      disk
-    };
-
     /// Section "Rigid body NAME".
     struct Parameters
     {
-      std::string   name   = "body";
-      Shape         shape  = Shape::sphere;
-      double        radius = 0.5; ///< of the outer rim; centre line of torus
-      double        half_length = 0.5; ///< of a spheroid along y
-      double        core_radius = 0.1; ///< of a torus
-      double        thickness   = 0.1; ///< of a disk
-      double        centre_y    = 0;
-      Motion        motion      = Motion::fixed;
-      std::string   velocity    = "0"; ///< law, m/s in t
-      double        density     = 1000;
-      double        gravity     = -9.81; ///< along y
-      InteriorFluid interior    = InteriorFluid::automatic;
+      std::string name  = "body";
+      std::string shape = "sphere"; ///< sphere, spheroid, torus, disk, rod,
+                                    ///< tube, bell or file
+      /// Dimensions, m: what the shape does not have is ignored.
+      double radius       = 0.5;  ///< sphere, spheroid, disk, rod, tube
+      double half_height  = 0.5;  ///< spheroid
+      double ring_radius  = 0.75; ///< torus
+      double core_radius  = 0.25; ///< torus
+      double inner_radius = 0.25; ///< tube
+      double length       = 1.;   ///< rod, tube
+      double thickness    = 0.1;  ///< disk
+      geometry::BellParameters bell;
+      std::string              file_name;
+      double                   position = 0; ///< y of the reference point, m
+      Motion                   motion   = Motion::fixed;
+      std::string              velocity = "0"; ///< law, m/s in t
+      double                   density  = 1000;
+      double                   gravity  = -9.81; ///< along y
+      InteriorFluid            interior = InteriorFluid::automatic;
       /// For drag coefficients, left out of the output at velocity 0; the
       /// area 0 is that of the largest section.
       double reference_velocity = 0;
@@ -69,8 +69,7 @@ namespace ephyra::immersed_boundary
 
     /// A body of one of the shapes.
     explicit RigidBody(const Parameters &parameters);
-    /// A body of any closed outline, its reference position y = 0 being moved
-    /// to `centre_y`.
+    /// A body of any closed outline, its y = 0 being moved to `position`.
     RigidBody(const Parameters &parameters, Outline outline);
 
     const Parameters parameters;

@@ -29,7 +29,7 @@ namespace
   Markers
   sphere(const fluid::StaggeredGrid &grid)
   {
-    const Outline o = spheroid_outline(0.5, 0.5, "sphere");
+    const Outline o = test::spheroid(0.5, 0.5, "sphere");
     return Markers(o.curves, control_vector(o, 0.021), grid);
   }
 
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(scale_is_the_spacing_in_cells)
   for (const int n_y : {48, 480})
     {
       const fluid::StaggeredGrid grid = make_grid(0., MPI_COMM_SELF, n_y);
-      const Outline              o    = torus_outline(0.6, 0.3, "torus");
+      const Outline              o    = test::torus(0.6, 0.3, "torus");
       const Markers markers(o.curves, control_vector(o, 0.021), grid);
       DirectForcing forcing(grid);
       forcing.update(markers);

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "ephyra/fluid/velocity_field.h"
+#include "ephyra/geometry/simple_bodies.h"
+#include "ephyra/geometry/simple_curves.h"
+#include "ephyra/immersed_boundary/boundary_curve.h"
 
 #include <cmath>
 #include <vector>
@@ -24,6 +27,35 @@ namespace ephyra::test
           (end - begin) * (s - amplitude * std::sin(2 * M_PI * s) / (2 * M_PI));
       }
     return fluid::GridLine(face);
+  }
+
+  inline geometry::Discretization
+  coarse()
+  {
+    geometry::Discretization d;
+    d.degree     = {2, 2};
+    d.n_elements = {4, 1};
+    return d;
+  }
+  inline immersed_boundary::Outline
+  spheroid(const double a, const double b, const std::string &name)
+  {
+    return immersed_boundary::curve_outline(
+      geometry::make_spheroid(a, b, 0., coarse()), name);
+  }
+  inline immersed_boundary::Outline
+  torus(const double       ring_radius,
+        const double       core_radius,
+        const std::string &name)
+  {
+    return immersed_boundary::curve_outline(
+      geometry::make_torus(ring_radius, core_radius, 0., coarse()), name);
+  }
+  inline immersed_boundary::Outline
+  disk(const double radius, const double thickness, const std::string &name)
+  {
+    return immersed_boundary::body_outline(
+      geometry::make_disk(radius, thickness, 0., coarse()), name);
   }
 
   /// Sets the rows held here, the wall rows and columns included.

@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(linear_fields_give_the_exact_traction)
     [&](const double r, double) { return -A * r; },
     [&](double, const double y) { return 2 * A * y; });
   test::fill_cells(p, [&](double, const double y) { return c + b * y; });
-  const Outline             o = torus_outline(1., 0.4, "torus");
+  const Outline             o = test::torus(1., 0.4, "torus");
   const std::vector<double> x = control_vector(o, 0.1);
   std::vector<double>       velocity(x), acceleration(x.size());
   for (std::size_t i = 0; i < x.size(); i += 2)
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE(drag_of_a_sphere_in_stokes_flow)
       fluid::DistributedArray    p(grid);
       test::fill(v, StokesFlow::v_r, StokesFlow::v_y);
       test::fill_cells(p, StokesFlow::p);
-      const Outline o = spheroid_outline(R, R, "sphere");
+      const Outline o = test::spheroid(R, R, "sphere");
       const Markers markers(o.curves, control_vector(o), grid);
       const auto    error = [&](const FrictionFormula friction,
                              const WallPressure    pressure) {
@@ -143,20 +143,24 @@ BOOST_AUTO_TEST_CASE(probes_stop_at_the_opposite_surface)
   // would reach into the other one.
   const fluid::StaggeredGrid grid = make_grid(48, MPI_COMM_SELF);
   const double               gap  = 1.2 * grid.y.width[0];
-  Outline                    a    = disk_outline(0.8, 0.4, "lower");
-  Outline                    b    = disk_outline(0.8, 0.4, "upper");
+  Outline                    a    = test::disk(0.8, 0.4, "lower");
+  Outline                    b    = test::disk(0.8, 0.4, "upper");
   std::vector<double> x = control_vector(a), x_b = control_vector(b, 0.4 + gap);
-  for (int &i : b.curves[0].control_points)
-    i += static_cast<int>(a.control_points.size());
+  for (BoundaryCurve &curve : b.curves)
+    {
+      for (int &i : curve.control_points)
+        i += static_cast<int>(a.control_points.size());
+      a.curves.push_back(curve);
+    }
   x.insert(x.end(), x_b.begin(), x_b.end());
-  const Markers markers({a.curves[0], b.curves[0]}, x, grid);
+  const Markers markers(a.curves, x, grid);
   SurfaceLoads  loads(grid, 1., mu);
   loads.update(markers);
   int facing = 0;
   for (int l = 0; l < markers.size(); ++l)
     {
       const MarkerState &m = markers.state();
-      facing += m.r[l] < 0.6 && std::abs(m.y[l] - 0.2 - 0.5 * gap) < gap;
+      facing += m.r[l] < 0.6 && std::abs(m.y[l] - 0.4 - 0.5 * gap) < gap;
     }
   BOOST_TEST(facing > 20);
   BOOST_TEST(loads.n_shortened_probes() >= facing);
@@ -173,7 +177,7 @@ BOOST_AUTO_TEST_CASE(momentum_inside)
         v,
         [](double, double) { return 0.; },
         [](const double r, const double y) { return 1. + r * r + 3 * y; });
-      const Outline o = spheroid_outline(R, R, "sphere");
+      const Outline o = test::spheroid(R, R, "sphere");
       const Markers markers(o.curves, control_vector(o, 0.1), grid);
       // int (1 + r^2 + 3 y) dV = V (1 + 2 R^2 / 5 + 0.3)
       const double exact = M_PI / 6 * (1 + 0.4 * R * R + 0.3);
@@ -195,7 +199,7 @@ BOOST_AUTO_TEST_CASE(momentum_inside)
         [&](const double r, const double y) {
           return r + std::cos(M_PI / 2 * (y - centre));
         });
-      const Outline o = spheroid_outline(R, R, "sphere");
+      const Outline o = test::spheroid(R, R, "sphere");
       const Markers markers(o.curves, control_vector(o, centre), grid);
       const double  momentum =
         interior_axial_momentum(markers, 0, 1, v.y, centre);

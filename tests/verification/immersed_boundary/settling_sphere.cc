@@ -35,7 +35,7 @@ namespace
     immersed_boundary::RigidBody::Parameters sphere;
     sphere.name     = "sphere";
     sphere.radius   = 0.5 * D;
-    sphere.centre_y = 8.5 * D;
+    sphere.position = 8.5 * D;
     sphere.density  = 1120.;
     sphere.gravity  = -9.81;
     sphere.motion   = immersed_boundary::RigidBody::Motion::free;

@@ -31,8 +31,8 @@ namespace
     flow.initial_axial_velocity = "1";
     immersed_boundary::RigidBody::Parameters torus;
     torus.name        = "torus";
-    torus.shape       = immersed_boundary::RigidBody::Shape::torus;
-    torus.radius      = R;
+    torus.shape       = "torus";
+    torus.ring_radius = R;
     torus.core_radius = 0.5;
     RigidCase    c(flow, {torus});
     const double dt = 0.4 / n;
