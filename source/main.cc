@@ -14,7 +14,10 @@ main(int argc, char *argv[])
   return run_program(
     [&arguments] {
       const auto command_line = simulation::CommandLine::parse(arguments);
-      log().initialize(MPI_COMM_WORLD, command_line.quiet);
+      log().initialize(MPI_COMM_WORLD,
+                       command_line.quiet ||
+                         command_line.action ==
+                           simulation::CommandLine::Action::benchmark);
       return simulation::run_command_line(command_line, MPI_COMM_WORLD);
     },
     MPI_COMM_WORLD,

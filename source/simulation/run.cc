@@ -2,6 +2,7 @@
 
 #include "ephyra/base/mpi.h"
 #include "ephyra/base/parameter_handler.h"
+#include "ephyra/simulation/benchmark.h"
 #include "ephyra/simulation/scene.h"
 #include "ephyra/simulation/simulation.h"
 
@@ -63,7 +64,8 @@ namespace ephyra::simulation
         validate(command_line, comm);
         return ExitCode::success;
       case Action::benchmark:
-        throw InputError("--bench is not available yet.");
+        run_benchmark(std::cout, comm);
+        return ExitCode::success;
       case Action::run:
         break;
       }
