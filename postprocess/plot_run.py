@@ -18,6 +18,7 @@ import ephyra_io
 # What is drawn of statistics.csv where it is there.
 MOTION = ["centre of mass velocity y [m/s]", "centre of mass y [m]", "margin radius [m]"]
 FIRST_PROFILES = ["potential", "activation", "radial_displacement", "pressure"]
+PROFILE_UNITS = {"potential": "V", "activation": "-", "displacement": "m", "pressure": "Pa"}
 
 
 def find_column(columns, name):
@@ -67,6 +68,19 @@ def plot_motion(folder, target, extra, overlays):
     return save(figure, target / "motion.png")
 
 
+def first_wave(time, values):
+    """From the start to shortly after the first wave has passed: a wave takes
+    milliseconds and would be a line in a picture of seconds."""
+    spread = np.nanmax(values, axis=0) - np.nanmin(values, axis=0)
+    excited = spread > 0.2 * np.max(spread)
+    if not np.any(excited):
+        return time[0], time[-1]
+    begin = np.argmax(excited)
+    quiet = np.flatnonzero(~excited[begin:])
+    end = begin + quiet[0] if len(quiet) else len(time) - 1
+    return time[0], min(time[-1], 1.3 * time[end])
+
+
 def plot_profiles(folder, target):
     """Space-time maps: time along x, the position on the body along y."""
     files = {path.stem: path for path in sorted((folder / "profiles").glob("*.csv"))}
@@ -86,17 +100,20 @@ def plot_profiles(folder, target):
                          np.array([table[c] for c in columns[1:]])))
     if not maps:
         return None
-    figure, axes = plt.subplots(len(maps), 1, sharex=True, squeeze=False,
+    figure, axes = plt.subplots(len(maps), 1, squeeze=False,
                                 figsize=(7, 2.4 * len(maps)), layout="constrained")
     for axis, (name, time, position, values) in zip(axes[:, 0], maps):
         signed = np.nanmin(values) < 0 < np.nanmax(values) and name != "potential"
         limit = np.nanmax(np.abs(values)) or 1.0
-        image = axis.pcolormesh(time, position, values, shading="nearest",
+        image = axis.pcolormesh(time, position, values, shading="nearest", rasterized=True,
                                 cmap="RdBu_r" if signed else "viridis",
                                 **({"vmin": -limit, "vmax": limit} if signed else {}))
-        figure.colorbar(image, ax=axis)
+        unit = next((u for word, u in PROFILE_UNITS.items() if word in name), None)
+        figure.colorbar(image, ax=axis, label=unit)
         axis.set_title(name.replace("_", " "), fontsize="medium")
         axis.set_ylabel(r"$\theta^1$")
+        if name == "potential":
+            axis.set_xlim(*first_wave(time, values))
     axes[-1, 0].set_xlabel("time [s]")
     return save(figure, target / "space_time.png")
 
@@ -122,22 +139,23 @@ def draw_snapshot(axis, flow, name, bodies, scale, window):
                                 vmin=-scale, vmax=scale, rasterized=True)
         for body in bodies:
             polygons = body.cell_outlines() * np.array([side, 1])
-            axis.add_collection(PolyCollection(polygons, facecolor="0.35", edgecolor="none"))
+            axis.add_collection(PolyCollection(polygons, facecolor="0.35", edgecolor="0.35", linewidth=0.3))
     axis.set_xlim(-window[0], window[0])
     axis.set_ylim(window[1], window[2])
     axis.set_aspect("equal")
     return image
 
 
-def view(flow, bodies, first_bodies, width):
-    """Half width, bottom and top of the picture: around the bodies."""
+def view(flow, bodies, width):
+    """Half width, bottom and top of the pictures: around all bodies, in all of
+    the snapshots, so that they can be compared."""
     if not bodies or width <= 0:
         return flow.r_faces[-1], flow.y_faces[0], flow.y_faces[-1]
-    points = np.concatenate([b.points.reshape(-1, 2) for b in bodies + first_bodies])
+    points = np.concatenate([body.points.reshape(-1, 2) for body in bodies])
     size = width * np.max(points[:, 0])
-    return (min(size, flow.r_faces[-1]),
-            max(np.min(points[:, 1]) - size, flow.y_faces[0]),
-            min(np.max(points[:, 1]) + size / 2, flow.y_faces[-1]))
+    return (min(size / 1.5, flow.r_faces[-1]),
+            max(np.min(points[:, 1]) - size / 2, flow.y_faces[0]),
+            min(np.max(points[:, 1]) + size / 4, flow.y_faces[-1]))
 
 
 def plot_vorticity(folder, target, times, n_snapshots, width):
@@ -157,13 +175,14 @@ def plot_vorticity(folder, target, times, n_snapshots, width):
         return None
     scale = np.percentile(np.abs(np.concatenate([f.fields[name].ravel() for f in flows])),
                           99.7) or 1.0
+    bodies = [read_bodies(folder, time) for time, _ in chosen]
+    window = view(flows[0], [body for group in bodies for body in group], width)
+    height = 3.0 * (window[2] - window[1]) / (2 * window[0])
     figure, axes = plt.subplots(1, len(chosen), squeeze=False, sharey=True,
-                                figsize=(3.2 * len(chosen) + 1, 6), layout="constrained")
-    first = read_bodies(folder, chosen[0][0])
-    for axis, (time, _), flow in zip(axes[0], chosen, flows):
-        bodies = read_bodies(folder, time)
-        image = draw_snapshot(axis, flow, name, bodies, scale,
-                              view(flow, bodies, first, width))
+                                figsize=(3.0 * len(chosen) + 1, height + 1),
+                                layout="constrained")
+    for axis, (time, _), flow, group in zip(axes[0], chosen, flows, bodies):
+        image = draw_snapshot(axis, flow, name, group, scale, window)
         axis.set_title(f"t = {time:.4g} s", fontsize="medium")
         axis.set_xlabel("r [m]")
     axes[0, 0].set_ylabel("y [m]")
@@ -193,8 +212,8 @@ def main(arguments):
     parser.add_argument("--snapshots", type=int, default=4,
                         help="number of snapshots where no time is given (default 4)")
     parser.add_argument("--width", type=float, default=3.0,
-                        help="half width of the snapshots in radii of the body; 0: the whole "
-                        "flow (default 3)")
+                        help="size of the snapshots in radii of the body; 0: the whole flow "
+                        "(default 3)")
     options = parser.parse_args(arguments)
     folder = pathlib.Path(options.folder)
     if not folder.is_dir():

@@ -30,8 +30,8 @@ VISIBLE = {
     "elasticity": BASICS,
     "fluid": BASICS,
     "immersed_boundary": BASICS + ["fluid"],
-    "coupling": BASICS + PHYSICS + ["immersed_boundary"],
     "diagnostics": BASICS,
+    "coupling": BASICS + PHYSICS + ["immersed_boundary", "diagnostics"],
     "io": ["base"],
     "simulation": BASICS + PHYSICS
     + ["immersed_boundary", "coupling", "diagnostics", "io"],
