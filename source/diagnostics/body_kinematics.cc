@@ -61,8 +61,9 @@ namespace ephyra::diagnostics
         bottom                 = k == 0 ? x.y : std::min(bottom, x.y);
       }
     const splines::Point margin = position(outer.back(), displacement);
-    const splines::Point inner  = position(std::array<double, 2>{{1., 0.}}, displacement);
-    const splines::Point apex   = position(outer.front(), displacement);
+    const splines::Point inner =
+      position(std::array<double, 2>{{1., 0.}}, displacement);
+    const splines::Point apex = position(outer.front(), displacement);
 
     record.add("margin radius [m]", margin.r);
     record.add("inner margin radius [m]", inner.r);
