@@ -213,20 +213,23 @@ namespace ephyra::electrophysiology
     archive.values("previous gate", previous);
     // For each point: whether it is recording, number of replays, and of each
     // its start, number of samples and samples.
-    std::vector<double> packed;
     if (!archive.reading())
-      for (const PointHistory &history : points)
-        {
-          packed.push_back(history.recording);
-          packed.push_back(static_cast<double>(history.replays.size()));
-          for (const Replay &replay : history.replays)
-            {
-              packed.push_back(replay.start);
-              packed.push_back(static_cast<double>(replay.samples.size()));
-              packed.insert(
-                packed.end(), replay.samples.begin(), replay.samples.end());
-            }
-        }
+      {
+        packed.clear();
+        for (const PointHistory &history : points)
+          {
+            const std::size_t header[2] = {history.recording,
+                                           history.replays.size()};
+            packed.insert(packed.end(), header, header + 2);
+            for (const Replay &replay : history.replays)
+              {
+                packed.push_back(replay.start);
+                packed.push_back(static_cast<double>(replay.samples.size()));
+                packed.insert(
+                  packed.end(), replay.samples.begin(), replay.samples.end());
+              }
+          }
+      }
     archive.values("replays", packed);
     if (archive.reading())
       {

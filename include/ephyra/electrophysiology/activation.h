@@ -119,5 +119,6 @@ namespace ephyra::electrophysiology
     double                    closing_level;
     std::vector<PointHistory> points;
     std::vector<double>       previous; ///< G_a at the last recorded time
+    std::vector<double>       packed;   ///< buffer of serialize()
   };
 } // namespace ephyra::electrophysiology
