@@ -182,6 +182,32 @@ BOOST_AUTO_TEST_CASE(any_number_of_ranks)
       }
 }
 
+BOOST_AUTO_TEST_CASE(dissipation_is_the_loss_of_energy)
+{
+  // A Stokes mode loses its kinetic energy at twice its rate.
+  for (const StokesMode &mode : {StokesMode{M_PI, 4.8055067166, 0.1, false},
+                                 StokesMode{M_PI, 3.8317059702, 0.1, true}})
+    {
+      double previous = 0;
+      for (const int n : {16, 32, 64})
+        {
+          FlowParameters parameters = unit_pipe(n, 2., mode.viscosity);
+          parameters.outer.kind =
+            mode.slip ? SideKind::free_slip : SideKind::no_slip;
+          FlowSolver flow(parameters, MPI_COMM_WORLD);
+          flow.set_initial_velocity(mode.v_r(0), mode.v_y(0));
+          const double loss =
+            2 * mode.rate() * kinetic_energy(flow.velocity(), 1.);
+          const double error =
+            std::abs(dissipation(flow.velocity(), mode.viscosity) / loss - 1);
+          if (previous > 0)
+            BOOST_TEST(std::log2(previous / error) > 1.8);
+          previous = error;
+        }
+      BOOST_TEST(previous < 5e-3);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(diffusing_ring)
 {
   // A circular vortex line of radius 1 diffuses without convection:

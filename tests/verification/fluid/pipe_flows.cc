@@ -1,4 +1,5 @@
 // Exact solutions that depend on r (and t) alone, in a pipe of radius 1.
+#include "ephyra/fluid/flow_diagnostics.h"
 #include "exact_flows.h"
 
 #include <boost/test/unit_test.hpp>
@@ -137,6 +138,9 @@ BOOST_AUTO_TEST_CASE(poiseuille)
           if (previous > 0)
             BOOST_TEST(std::log2(previous / error) > 1.9);
           previous = error;
+          if (n == 32) // rho int v_y dV = pi/2 rho L
+            BOOST_TEST(axial_momentum(flow.velocity(), 1.) == M_PI / 4,
+                       boost::test_tools::tolerance(2e-3));
           if (by_pressure) // linear in y
             for (int i = flow.grid().first_row; i < flow.grid().end_row(); ++i)
               for (int j = 0; j < flow.grid().y.n_cells; ++j)
