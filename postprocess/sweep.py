@@ -100,7 +100,11 @@ class Sweep:
         status = json.loads(self.status_file.read_text())
         if self.options.overwrite:
             return
+        worth = [case for case in status["cases"].values()
+                 if case["exit code"] in (SUCCESS, INTERRUPTED)]
         if status["fingerprint"] != self.fingerprint:
+            if not worth:
+                return
             raise UsageError(
                 f"{self.folder} holds a sweep of another scene or with other --set "
                 "values: choose another --output, or replace it with --overwrite")

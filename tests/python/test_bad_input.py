@@ -109,7 +109,7 @@ class BadInput(ProgramTest):
     def test_body_leaves_the_grid(self):
         for ranks in (1, 2):
             code, errors = self.run_program(
-                SPHERE, "--output", "run", "--overwrite", "--set", "Rigid body ball/Centre = 0.9 m",
+                SPHERE, "--output", "run", "--overwrite", "--set", "Rigid body ball/Position = 0.9 m",
                 ranks=ranks)
             self.assertEqual(code, 1)
             self.assertEqual(errors.count("Body 'ball' reaches"), 1, errors)

@@ -156,6 +156,11 @@ class Runs(unittest.TestCase):
         self.assertIn("--overwrite", screen)
         self.assertEqual(self.run_sweep("--vary", "Model/Cells = 1", "--overwrite")[0], 0)
 
+    def test_a_scene_that_failed_may_be_corrected(self):
+        self.run_sweep("--vary", "Model/Behaviour = bad input")
+        self.scene.write_text("# corrected\n")
+        self.assertEqual(self.run_sweep("--vary", "Model/Behaviour = good")[0], 0)
+
     def test_bad_arguments(self):
         for options in ((), ("--vary", "Model/Cells"), ("--refine", "Model/Cells = 1, 1"),
                         ("--vary", "A/b = 1", "--reference", "drag")):
