@@ -117,7 +117,7 @@ namespace ephyra::immersed_boundary
                       "Momentum of the fluid inside of a free body: of a "
                       "rigid body, or integrated after the projection, which "
                       "costs more and holds for light bodies too. Automatic "
-                      "measures below 1.2 times the density of the fluid.");
+                      "measures for bodies lighter than the fluid.");
     prm.declare_entry("Reference velocity",
                       "0 m/s",
                       patterns::Double("m/s", 0.),

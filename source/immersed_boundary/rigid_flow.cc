@@ -66,10 +66,10 @@ namespace ephyra::immersed_boundary
     for (int b = 0; b < n_bodies(); ++b)
       {
         const RigidBody::Parameters &p = bodies[b]->parameters;
-        measured.push_back(bodies[b]->is_free() &&
-                           (p.interior == Interior::measured ||
-                            (p.interior == Interior::automatic &&
-                             p.density < 1.2 * flow.density())));
+        measured.push_back(
+          bodies[b]->is_free() &&
+          (p.interior == Interior::measured ||
+           (p.interior == Interior::automatic && p.density < flow.density())));
         measures_momentum = measures_momentum || measured.back();
         if (bodies[b]->is_free())
           free_bodies.push_back(b);

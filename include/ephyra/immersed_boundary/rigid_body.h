@@ -30,7 +30,7 @@ namespace ephyra::immersed_boundary
     /// 10.1016/j.jcp.2012.01.021).
     enum class InteriorFluid
     {
-      automatic, ///< rigid above a density ratio of 1.2, measured below
+      automatic, ///< rigid unless the body is lighter than the fluid
       rigid,     ///< its momentum is m_f V
       measured   ///< its momentum is integrated after the projection
     };
