@@ -56,7 +56,9 @@ namespace ephyra::coupling
     force_and_project(0);
 
     accept(body.interface_force());
+    // The load is part of the body's equations: nothing is left to iterate.
     status.iterations = 1;
+    status.residual   = 0.;
     last              = status;
     return status;
   }
