@@ -1,5 +1,7 @@
 #include "ephyra/electrophysiology/diffusion_stepper.h"
 
+#include "ephyra/base/mpi.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,9 @@ namespace ephyra::electrophysiology
   DiffusionStepper::DiffusionStepper(const MonodomainOperator &monodomain,
                                      const BoundaryCondition::Parameters &start,
                                      const BoundaryCondition::Parameters &end,
-                                     const double                         kappa)
+                                     const double                         kappa,
+                                     const LinearSolver linear_solver,
+                                     const MPI_Comm     comm)
     : monodomain(monodomain)
     , start(start)
     , end(end)
@@ -19,6 +23,56 @@ namespace ephyra::electrophysiology
     , part_v(monodomain.n_unknowns())
     , part_increment(monodomain.n_unknowns())
   {
+    if (linear_solver == LinearSolver::narrow_band)
+      return;
+    using linear_algebra::SparseMatrix;
+    const int                       n = matrix.n_rows();
+    linear_algebra::SparsityPattern pattern(n);
+    for (int i = 0; i < n; ++i)
+      for (int j = std::max(0, i - matrix.half_bandwidth());
+           j <= std::min(n - 1, i + matrix.half_bandwidth());
+           ++j)
+        pattern.columns[i].push_back(j);
+    sparse = linear_solver == LinearSolver::amesos2
+               ? std::make_unique<SparseMatrix>(
+                   pattern, SparseMatrix::Storage::tpetra, comm)
+               : std::make_unique<SparseMatrix>(
+                   pattern, SparseMatrix::Storage::band, MPI_COMM_SELF);
+    direct = linear_algebra::make_direct_solver(sparse->storage(),
+                                                "monodomain matrix");
+  }
+
+  void
+  DiffusionStepper::factorize()
+  {
+    if (!direct)
+      {
+        system.factorize(matrix, "monodomain matrix");
+        return;
+      }
+    const MPI_Comm comm = sparse->communicator();
+    const auto     rows =
+      mpi::share(matrix.n_rows(), mpi::rank(comm), mpi::size(comm));
+    sparse->begin_assembly();
+    for (int i = rows.first; i < rows.first + rows.count; ++i)
+      for (int j = std::max(0, i - matrix.half_bandwidth());
+           j <= std::min(matrix.n_rows() - 1, i + matrix.half_bandwidth());
+           ++j)
+        sparse->add(i, j, matrix(i, j));
+    sparse->finish_assembly();
+    direct->factorize(*sparse);
+  }
+
+  void
+  DiffusionStepper::solve_system(std::vector<double> &x)
+  {
+    if (!direct)
+      {
+        system.solve(x.data());
+        return;
+      }
+    right_hand_side = x;
+    direct->solve(right_hand_side, x);
   }
 
   void
@@ -41,7 +95,7 @@ namespace ephyra::electrophysiology
           matrix(i, j)    = held ? (i == j ? 1. : 0.)
                                  : mass(i, j) + 0.5 * dt * kappa * stiffness(i, j);
         }
-    system.factorize(matrix, "monodomain matrix");
+    factorize();
     factorized_dt = dt;
     start_held    = hold_start;
     end_held      = hold_end;
@@ -76,7 +130,7 @@ namespace ephyra::electrophysiology
         if (hold_end)
           part_increment[n - 1] =
             end.held_potential(t + k * part) - part_v[n - 1];
-        system.solve(part_increment.data());
+        solve_system(part_increment);
         for (int i = 0; i < n; ++i)
           {
             part_v[i] += part_increment[i];

@@ -49,6 +49,13 @@ namespace ephyra::electrophysiology
                       "Potential that the gates see during a step: the mean of "
                       "old and new (second order) or the new one (first "
                       "order).");
+    prm.declare_entry("Linear solver",
+                      "narrow band",
+                      patterns::Selection("narrow band|LAPACK|Amesos2"),
+                      "Direct solver of the monodomain equation: factors "
+                      "without pivoting on every rank (fastest), LAPACK's band "
+                      "LU on every rank, or Trilinos: a Tpetra matrix "
+                      "assembled by all ranks, and KLU2.");
     prm.declare_entry("Mass matrix",
                       "consistent",
                       patterns::Selection("consistent|lumped"),
@@ -91,21 +98,26 @@ namespace ephyra::electrophysiology
     resting_time_step       = prm.get_double("Resting time step");
     resting_rate            = prm.get_double("Resting rate");
     const std::string place = prm.get("Placement");
-    placement         = place == "Greville points" ? Placement::greville_points
-                        : place == "quadrature points"
-                          ? Placement::quadrature_points
-                          : Placement::control_coefficients;
-    gate_potential    = prm.get("Gate potential") == "end"
-                          ? GatePotential::end
-                          : GatePotential::midpoint;
-    mass              = prm.get("Mass matrix") == "lumped"
-                          ? MonodomainOperator::Mass::lumped
-                          : MonodomainOperator::Mass::consistent;
-    measure           = prm.get("Measure") == "deformed"
-                          ? MonodomainOperator::Measure::deformed
-                          : MonodomainOperator::Measure::reference;
-    metric_tolerance  = prm.get_double("Metric tolerance");
-    initial_potential = prm.get("Initial potential");
+    placement          = place == "Greville points" ? Placement::greville_points
+                         : place == "quadrature points"
+                           ? Placement::quadrature_points
+                           : Placement::control_coefficients;
+    gate_potential     = prm.get("Gate potential") == "end"
+                           ? GatePotential::end
+                           : GatePotential::midpoint;
+    using LinearSolver = DiffusionStepper::LinearSolver;
+    const std::string solver = prm.get("Linear solver");
+    linear_solver            = solver == "Amesos2"  ? LinearSolver::amesos2
+                               : solver == "LAPACK" ? LinearSolver::lapack_band
+                                                    : LinearSolver::narrow_band;
+    mass                     = prm.get("Mass matrix") == "lumped"
+                                 ? MonodomainOperator::Mass::lumped
+                                 : MonodomainOperator::Mass::consistent;
+    measure                  = prm.get("Measure") == "deformed"
+                                 ? MonodomainOperator::Measure::deformed
+                                 : MonodomainOperator::Measure::reference;
+    metric_tolerance         = prm.get_double("Metric tolerance");
+    initial_potential        = prm.get("Initial potential");
     neuron.parse(prm);
     nagumo.parse(prm);
     synapses.parse(prm);

@@ -34,7 +34,12 @@ namespace ephyra::electrophysiology
     , model(make_model(prm))
     , monodomain(line, prm.mass, prm.measure)
     , stimulus(prm.stimulus)
-    , diffusion(monodomain, prm.start, prm.end, prm.diffusivity())
+    , diffusion(monodomain,
+                prm.start,
+                prm.end,
+                prm.diffusivity(),
+                prm.linear_solver,
+                comm)
     , stimulus_load(monodomain.interval_load(stimulus.interval()))
   {
     if (model)
@@ -48,7 +53,12 @@ namespace ephyra::electrophysiology
     , comm(comm)
     , model(make_model(prm))
     , stimulus(prm.stimulus)
-    , diffusion(monodomain, prm.start, prm.end, prm.diffusivity())
+    , diffusion(monodomain,
+                prm.start,
+                prm.end,
+                prm.diffusivity(),
+                prm.linear_solver,
+                comm)
     , stimulus_load(1, 1.)
   {
     EphyraThrowIf(!model,

@@ -3,7 +3,9 @@
 #include "ephyra/base/archive.h"
 #include "ephyra/electrophysiology/boundary_condition.h"
 #include "ephyra/electrophysiology/monodomain_operator.h"
+#include "ephyra/linear_algebra/direct_solver.h"
 
+#include <memory>
 #include <vector>
 
 namespace ephyra::electrophysiology
@@ -20,11 +22,20 @@ namespace ephyra::electrophysiology
   class DiffusionStepper
   {
   public:
+    enum class LinearSolver
+    {
+      narrow_band, ///< on every rank for itself
+      lapack_band, ///< the same, with pivoting
+      amesos2      ///< distributed assembly (Tpetra), KLU2
+    };
+
     /// The operator is referred to, not copied.
     DiffusionStepper(const MonodomainOperator            &monodomain,
                      const BoundaryCondition::Parameters &start,
                      const BoundaryCondition::Parameters &end,
-                     double                               kappa);
+                     double                               kappa,
+                     LinearSolver                         linear_solver,
+                     MPI_Comm                             comm);
 
     /// Increment of a step from t to t + dt. The step may be repeated with
     /// another load; finish_step() ends it.
@@ -50,17 +61,25 @@ namespace ephyra::electrophysiology
   private:
     void
     prepare_matrix(double dt, bool hold_start, bool hold_end);
+    void
+    factorize();
+    void
+    solve_system(std::vector<double> &x);
 
     const MonodomainOperator        &monodomain;
     BoundaryCondition                start, end;
     double                           kappa;
     linear_algebra::NarrowBandMatrix matrix;
     linear_algebra::NarrowBandSolver system;
-    double                           factorized_dt = 0; ///< 0: none
-    bool                             start_held    = false;
-    bool                             end_held      = false;
-    std::int64_t                     damped_steps  = 0; ///< still to come
-    std::vector<double>              part_v, part_increment;
+    /// Instead of it, where a library solves; else null.
+    std::unique_ptr<linear_algebra::SparseMatrix> sparse;
+    std::unique_ptr<linear_algebra::DirectSolver> direct;
+    std::vector<double>                           right_hand_side;
+    double              factorized_dt = 0; ///< 0: none
+    bool                start_held    = false;
+    bool                end_held      = false;
+    std::int64_t        damped_steps  = 0; ///< still to come
+    std::vector<double> part_v, part_increment;
 
     static constexpr int damped_steps_after_jump = 2;
   };

@@ -67,10 +67,12 @@ namespace ephyra::electrophysiology
       /// Substep while neurons rest, s; 0: always the time step.
       double resting_time_step = 0.25e-3;
       /// What counts as rest: max |dv/dt| for 1 ms, V/s.
-      double                      resting_rate   = 0.1;
-      Placement                   placement      = Placement::greville_points;
-      GatePotential               gate_potential = GatePotential::midpoint;
-      MonodomainOperator::Mass    mass = MonodomainOperator::Mass::consistent;
+      double                   resting_rate   = 0.1;
+      Placement                placement      = Placement::greville_points;
+      GatePotential            gate_potential = GatePotential::midpoint;
+      MonodomainOperator::Mass mass = MonodomainOperator::Mass::consistent;
+      DiffusionStepper::LinearSolver linear_solver =
+        DiffusionStepper::LinearSolver::narrow_band;
       MonodomainOperator::Measure measure =
         MonodomainOperator::Measure::reference;
       /// Relative change of the metric below which matrices are kept.

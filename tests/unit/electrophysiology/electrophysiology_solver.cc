@@ -253,4 +253,28 @@ BOOST_AUTO_TEST_CASE(parameters_are_read_in_units)
   BOOST_TEST(parameters.diffusivity() == 2e-5, close);
 }
 
+BOOST_AUTO_TEST_CASE(all_linear_solvers_give_the_same_spike)
+{
+  using LinearSolver = DiffusionStepper::LinearSolver;
+  std::vector<std::vector<double>> results;
+  for (const LinearSolver linear_solver : {LinearSolver::narrow_band,
+                                           LinearSolver::lapack_band,
+                                           LinearSolver::amesos2})
+    {
+      Parameters prm    = excited();
+      prm.linear_solver = linear_solver;
+      ElectrophysiologySolver solver(prm, cable(), MPI_COMM_WORLD);
+      run(solver, 0., 4e-3);
+      results.push_back(solver.potential());
+    }
+  double largest = -1.;
+  for (std::size_t i = 0; i < results[0].size(); ++i)
+    {
+      largest = std::max(largest, results[0][i]);
+      BOOST_TEST(std::abs(results[1][i] - results[0][i]) < 1e-10);
+      BOOST_TEST(std::abs(results[2][i] - results[0][i]) < 1e-10);
+    }
+  BOOST_TEST(largest > 0.); // there is a spike to compare
+}
+
 BOOST_AUTO_TEST_SUITE_END()
