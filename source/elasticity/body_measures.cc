@@ -86,6 +86,52 @@ namespace ephyra::elasticity
             T[6 * tables.n_q()] * x[0][0]};
   }
 
+  std::vector<double>
+  ElasticityOperator::external_force(const std::vector<double> &u) const
+  {
+    std::vector<double> x(u), force(u.size(), 0.), scale(u.size(), 0.);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      x[i] += reference[i];
+    for (const SideLoad &load : side_loads)
+      load.subtract_force(x, rank, n_ranks, force, scale);
+    for (double &f : force)
+      f = -f;
+
+    if (!body_force_values.empty())
+      {
+        const int n = tables.n_local(), nq = tables.n_q();
+        for (int e = first_element; e < first_element + n_own_elements; ++e)
+          for (int q = 0; q < nq; ++q)
+            {
+              const std::size_t k = static_cast<std::size_t>(e) * nq + q;
+              const double     *N1 =
+                &tables.basis1[2 * tables.n1 *
+                               (e / tables.ne2 * tables.nq1 + q / tables.nq2)];
+              const double *N2 =
+                &tables.basis2[(2 * (e % tables.ne2) * tables.nq2 +
+                                q % tables.nq2) *
+                               tables.n2];
+              const double T6 = tables.transform[(static_cast<std::size_t>(e) *
+                                                    PatchTables::n_transform +
+                                                  6) *
+                                                   nq +
+                                                 q];
+              for (int a = 0; a < n; ++a)
+                {
+                  const std::size_t local = static_cast<std::size_t>(e) * n + a;
+                  const double R = tables.weights[local] * N1[a / tables.n2] *
+                                   N2[a % tables.n2] * T6 * tables.frames[k].r;
+                  for (int i = 0; i < 2; ++i)
+                    force[2 * tables.points[local] + i] +=
+                      tables.volume[k] * R *
+                      body_force_values[i * tables.positions.size() + k];
+                }
+            }
+      }
+    mpi::sum_in_place(force, comm);
+    return force;
+  }
+
   BodyMeasures
   ElasticityOperator::measures(const std::vector<double> &u,
                                const std::vector<double> &v,

@@ -248,6 +248,7 @@ namespace ephyra::elasticity
     op->get_constraints().complete(level.a);
     mpi::broadcast(level.a.data(), level.a.size(), comm);
     next     = level;
+    started  = true;
     repeated = false;
   }
 
@@ -282,6 +283,14 @@ namespace ephyra::elasticity
                             const InterfaceLoad &load)
   {
     const TimerTree::Scope scope(timer(), "elasticity", op->n_unknowns());
+    if (!started)
+      {
+        // The activation already set is that of the end of the step.
+        const std::vector<double> gamma = next.gamma;
+        next.gamma                      = level.gamma;
+        initialize(t);
+        next.gamma = gamma;
+      }
     if (!newton)
       make_newton();
     // Prescribed displacements hold at t^{n+1}, loads at t^alpha.
@@ -310,6 +319,7 @@ namespace ephyra::elasticity
 
     if (dt != last_dt)
       newton->forget();
+    last_t  = t;
     last_dt = dt;
     Problem      problem(*this, dt, load);
     NewtonStatus status = newton->solve(problem, x);
@@ -329,6 +339,29 @@ namespace ephyra::elasticity
   {
     level    = next;
     repeated = false;
+  }
+
+  double
+  ElasticitySolver::load_work()
+  {
+    std::vector<double> middle(next.u);
+    for (std::size_t i = 0; i < middle.size(); ++i)
+      middle[i] = 0.5 * (level.u[i] + next.u[i]);
+    op->set_time(last_t + 0.5 * last_dt);
+    const std::vector<double> force = op->external_force(middle);
+    double                    work  = 0.;
+    for (std::size_t i = 0; i < force.size(); ++i)
+      work += force[i] * (next.u[i] - level.u[i]);
+    return work;
+  }
+
+  double
+  ElasticitySolver::interface_work() const
+  {
+    double work = 0.;
+    for (std::size_t i = 0; i < next.f.size(); ++i)
+      work += 0.5 * (level.f[i] + next.f[i]) * (next.u[i] - level.u[i]);
+    return work;
   }
 
   void
@@ -368,6 +401,7 @@ namespace ephyra::elasticity
             << op->n_unknowns() << " and " << op->activation_points().size()
             << "; restart with the scene that was saved.");
         next     = level;
+        started  = true;
         repeated = false;
       }
   }

@@ -145,6 +145,10 @@ namespace ephyra::elasticity
       return unit_force_norm;
     }
 
+    /// Forces of the pressures, tractions and body forces at the displacement
+    /// u and at the time that was set last, N.
+    std::vector<double>
+    external_force(const std::vector<double> &u) const;
     /// At the displacement, velocity and activation.
     BodyMeasures
     measures(const std::vector<double> &u,

@@ -77,7 +77,7 @@ namespace ephyra::elasticity
     void
     allow_coupling(linear_algebra::SparsityPattern pattern);
 
-    /// Starts at time t (s) from a displacement and a velocity (m, m/s; empty:
+    /// Starts at time t (s; the first advance() does it at rest otherwise) from a displacement and a velocity (m, m/s; empty:
     /// zero) with the acceleration that balances the forces there.
     void
     initialize(double                     t,
@@ -145,6 +145,13 @@ namespace ephyra::elasticity
     {
       return op->fields(next.u, next.gamma, theta1, theta2);
     }
+    /// Work done in the last advance, J: by the pressures, tractions and body
+    /// forces of the body (midpoint rule), by the surroundings (trapezoidal
+    /// rule).
+    double
+    load_work();
+    double
+    interface_work() const;
     /// Work done by the muscle in the last advance, J.
     double
     muscle_work() const
@@ -201,7 +208,9 @@ namespace ephyra::elasticity
     linear_algebra::SparsityPattern     pattern;  ///< of the tangent
     std::unique_ptr<Newton>             newton;
     Level                               level, next;
-    double                              last_dt  = 0.; ///< of the last advance
+    double                              last_t   = 0.; ///< of the last advance
+    double                              last_dt  = 0.;
+    bool                                started  = false;
     bool                                repeated = false;
   };
 } // namespace ephyra::elasticity
