@@ -100,6 +100,9 @@ namespace ephyra::immersed_boundary
     }
 
   private:
+    /// Throws InputError where a body touches a wall or another one.
+    void
+    check_start() const;
     /// Markers at the given body positions with the velocities of the bodies.
     void
     place_markers(const std::vector<double> &positions);

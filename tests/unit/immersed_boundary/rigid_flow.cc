@@ -174,4 +174,41 @@ BOOST_AUTO_TEST_CASE(the_end_at_a_wall)
     DivergedError);
 }
 
+BOOST_AUTO_TEST_CASE(bad_starts_are_refused)
+{
+  RigidBody::Parameters p    = ball(RigidBody::Motion::fixed);
+  const auto            says = [](const std::string &text) {
+    return [text](const InputError &e) {
+      return std::string(e.what()).find(text) != std::string::npos;
+    };
+  };
+  p.position = -0.74;
+  BOOST_CHECK_EXCEPTION(Tank{p}, InputError, says("half a cell of the wall"));
+  p.position = -0.9;
+  BOOST_CHECK_EXCEPTION(Tank{p}, InputError, says("outside of the flow grid"));
+
+  // A ball in the mouth of a ring: apart, then touching.
+  p.position = 0.;
+  Tank                  tank(p);
+  RigidBody::Parameters ring = p;
+  ring.name                  = "ring";
+  ring.shape                 = "torus";
+  ring.core_radius           = 0.1;
+  for (const bool apart : {true, false})
+    {
+      ring.ring_radius = apart ? 0.45 : 0.3;
+      std::vector<std::unique_ptr<RigidBody>> bodies;
+      bodies.push_back(std::make_unique<RigidBody>(p));
+      bodies.push_back(std::make_unique<RigidBody>(ring));
+      if (apart)
+        BOOST_CHECK_NO_THROW(
+          RigidFlow(*tank.flow, std::move(bodies), Parameters()));
+      else
+        BOOST_CHECK_EXCEPTION(
+          RigidFlow(*tank.flow, std::move(bodies), Parameters()),
+          InputError,
+          says("overlap"));
+    }
+}
+
 BOOST_AUTO_TEST_SUITE_END()
