@@ -196,6 +196,9 @@ namespace ephyra::simulation
       {
         const ParameterHandler::Section section(prm, "Elasticity");
         mechanics.parse(prm);
+        if (muscle == Muscle::none)
+          mechanics.body.active_strain.form =
+            elasticity::ActiveStrain::Form::none;
         equilibrium.body   = mechanics.body;
         equilibrium.newton = mechanics.newton;
         equilibrium.parse(prm);
