@@ -16,6 +16,30 @@ namespace ephyra
     {
       return x < 0 ? 0. : 1.;
     }
+
+    double
+    bessel_j0(const double x)
+    {
+      return std::cyl_bessel_j(0., std::abs(x));
+    }
+
+    double
+    bessel_j1(const double x)
+    {
+      return std::copysign(1., x) * std::cyl_bessel_j(1., std::abs(x));
+    }
+
+    double
+    bessel_i0(const double x)
+    {
+      return std::cyl_bessel_i(0., std::abs(x));
+    }
+
+    double
+    bessel_i1(const double x)
+    {
+      return std::copysign(1., x) * std::cyl_bessel_i(1., std::abs(x));
+    }
   } // namespace
 
   struct Expression::Implementation
@@ -31,6 +55,10 @@ namespace ephyra
         {
           parser.DefineConst("pi", std::acos(-1.));
           parser.DefineFun("step", unit_step);
+          parser.DefineFun("bessel_j0", bessel_j0);
+          parser.DefineFun("bessel_j1", bessel_j1);
+          parser.DefineFun("bessel_i0", bessel_i0);
+          parser.DefineFun("bessel_i1", bessel_i1);
           for (std::size_t i = 0; i < variables.size(); ++i)
             parser.DefineVar(variables[i], &values[i]);
           parser.SetExpr(this->formula);

@@ -26,6 +26,22 @@ namespace ephyra::immersed_boundary
     }
   } // namespace
 
+  double
+  Stencil::apply(const fluid::DistributedArray &u,
+                 const int                      begin,
+                 const int                      end) const
+  {
+    double sum = 0;
+    for (int a = 0; a < 3; ++a)
+      if (row[a] >= begin && row[a] < end)
+        {
+          const double *values = u.row(row[a]);
+          for (int b = 0; b < 3; ++b)
+            sum += value[a][b] * values[column[b]];
+        }
+    return sum;
+  }
+
   MovingLeastSquares::MovingLeastSquares(const fluid::StaggeredGrid &grid,
                                          const Parameters           &parameters)
     : the_grid(&grid)

@@ -65,23 +65,6 @@ namespace ephyra::immersed_boundary
       const fluid::StaggeredGrid                        &grid;
       std::unordered_map<std::int64_t, std::vector<int>> markers_in_cell;
     };
-
-    double
-    apply(const Stencil                 &s,
-          const fluid::DistributedArray &u,
-          const int                      begin,
-          const int                      end)
-    {
-      double sum = 0;
-      for (int a = 0; a < 3; ++a)
-        if (s.row[a] >= begin && s.row[a] < end)
-          {
-            const double *row = u.row(s.row[a]);
-            for (int b = 0; b < 3; ++b)
-              sum += s.value[a][b] * row[s.column[b]];
-          }
-      return sum;
-    }
   } // namespace
 
   SurfaceLoads::SurfaceLoads(const fluid::StaggeredGrid &grid,
@@ -182,11 +165,11 @@ namespace ephyra::immersed_boundary
         const int  n_v      = gradient ? 2 : probe.n_points;
         std::fill(s, s + n_sums, 0.);
         for (int k = 0; k < std::min(2, probe.n_points); ++k)
-          s[k] = apply(probe.p[k], pressure, begin, end);
+          s[k] = probe.p[k].apply(pressure, begin, end);
         for (int k = 0; k < n_v; ++k)
           {
-            s[2 + k] = apply(probe.v[0][k], velocity.r, begin, end_of_faces);
-            s[5 + k] = apply(probe.v[1][k], velocity.y, begin, end);
+            s[2 + k] = probe.v[0][k].apply(velocity.r, begin, end_of_faces);
+            s[5 + k] = probe.v[1][k].apply(velocity.y, begin, end);
           }
       }
     mpi::sum_in_place(sums, grid.communicator());

@@ -1,11 +1,15 @@
 #include "ephyra/simulation/flow_model.h"
 
+#include "ephyra/fluid/flow_diagnostics.h"
+
 #include <cmath>
 
 namespace ephyra::simulation
 {
   FlowModel::FlowModel(const Scene &scene, const MPI_Comm comm)
     : flow(std::make_unique<fluid::FlowSolver>(scene.fluid, comm))
+    , probes(std::make_unique<FlowProbes>(
+        scene.flow_sampling, scene.immersed_boundary, flow->grid()))
   {
     using immersed_boundary::RigidBody;
     if (!scene.rigid_bodies)
@@ -50,6 +54,10 @@ namespace ephyra::simulation
   {
     if (bodies)
       bodies->evaluate(record);
+    record.add("kinetic energy [J]",
+               fluid::kinetic_energy(flow->velocity(), flow->density()));
+    record.add("relative divergence [-]",
+               fluid::relative_divergence(flow->velocity()));
     record.add("CFL number [-]", last_cfl);
   }
 
@@ -60,8 +68,15 @@ namespace ephyra::simulation
   }
 
   void
-  FlowModel::write_profiles(const double, RunOutput &) const
+  FlowModel::write_probes(const double time, RunOutput &output) const
   {
+    probes->write_probes(time, *flow, output);
+  }
+
+  void
+  FlowModel::write_profiles(const double time, RunOutput &output) const
+  {
+    probes->write_lines(time, *flow, output);
   }
 
   void
@@ -70,6 +85,12 @@ namespace ephyra::simulation
     GridOutput grid;
     flow->write(grid);
     output.add_fields("flow", time, grid);
+  }
+
+  void
+  FlowModel::add_results(Record &record) const
+  {
+    probes->add_results(*flow, record);
   }
 
   std::string

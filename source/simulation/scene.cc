@@ -1,6 +1,7 @@
 #include "ephyra/simulation/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ephyra::simulation
 {
@@ -10,6 +11,21 @@ namespace ephyra::simulation
     declare_rigid_body(ParameterHandler &prm)
     {
       immersed_boundary::RigidBody::Parameters::declare(prm);
+    }
+
+    template <std::size_t dim>
+    void
+    refine(std::array<int, dim> &n_elements, const double factor)
+    {
+      for (int &n : n_elements)
+        n = std::max(1, static_cast<int>(std::lround(factor * n)));
+    }
+
+    void
+    refine(fluid::GridDirection &direction, const double factor)
+    {
+      for (double &spacing : direction.spacings)
+        spacing /= factor;
     }
   } // namespace
 
@@ -35,6 +51,12 @@ namespace ephyra::simulation
                         patterns::Selection("none|prescribed|nerve net"),
                         "What contracts the body: nothing, the section "
                         "Prescribed activation, or electrophysiology.");
+      prm.declare_entry("Refinement",
+                        "1",
+                        patterns::Double("", 1. / 64., 64.),
+                        "Refines a whole scene at once: multiplies the numbers "
+                        "of elements and divides the spacings of the grid and "
+                        "the time steps.");
       prm.declare_entry("Nested elements",
                         "34",
                         patterns::Integer(1, 100000),
@@ -99,6 +121,7 @@ namespace ephyra::simulation
       elasticity::StaticsSolver::Parameters::declare(prm);
     }
     fluid::FlowParameters::declare(prm);
+    FlowSampling::declare(prm);
     immersed_boundary::Parameters::declare(prm);
     prm.declare_repeated_subsection("Body probe",
                                     BodyProbe::declare,
@@ -131,6 +154,7 @@ namespace ephyra::simulation
       muscle                 = name == "prescribed"  ? Muscle::prescribed
                                : name == "nerve net" ? Muscle::nerve_net
                                                      : Muscle::none;
+      refinement             = prm.get_double("Refinement");
       nested_elements        = prm.get_integer("Nested elements");
       distributed_unknowns   = prm.get_integer("Distributed body from");
 
@@ -165,6 +189,7 @@ namespace ephyra::simulation
     {
       const ParameterHandler::Section section(prm, "Time");
       time.parse(prm);
+      time.time_step /= refinement;
       cut_backs       = prm.get_bool("Cut-backs");
       wall_time_limit = prm.get_double("Wall time limit");
     }
@@ -177,6 +202,7 @@ namespace ephyra::simulation
       {
         const ParameterHandler::Section section(prm, "Body");
         body.parse(prm);
+        refine(body.discretization.n_elements, refinement);
       }
     if (elasticity)
       body_probes = BodyProbe::parse_all(prm);
@@ -187,9 +213,13 @@ namespace ephyra::simulation
         crossing_points = prm.get_double_list("Crossing probes");
         crossing_level  = prm.get_double("Crossing level");
         tissue_line.parse(prm);
+        refine(tissue_line.discretization.n_elements, refinement);
       }
     if (electrophysiology)
-      tissue.parse(prm);
+      {
+        tissue.parse(prm);
+        tissue.time_step /= refinement;
+      }
     if (muscle == Muscle::prescribed)
       activation.parse(prm);
     if (elasticity)
@@ -206,7 +236,12 @@ namespace ephyra::simulation
           time.end_time = time.time_step = equilibrium.end_time;
       }
     if (flow)
-      fluid.parse(prm);
+      {
+        fluid.parse(prm);
+        refine(fluid.grid.r, refinement);
+        refine(fluid.grid.y, refinement);
+        flow_sampling.parse(prm);
+      }
     if (flow && (elasticity || rigid_bodies))
       immersed_boundary.parse(prm);
     if (rigid_bodies)

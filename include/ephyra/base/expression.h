@@ -7,8 +7,9 @@
 namespace ephyra
 {
   /// A formula of a parameter file (muParser), e.g. "0.5*(1 - cos(pi*t))" in
-  /// the variables ("t"). Besides muParser's functions, `pi` and `step(x)` (0
-  /// for x < 0, else 1) are known. Values are SI.
+  /// the variables ("t"). Besides muParser's functions, `pi`, `step(x)` (0 for
+  /// x < 0, else 1) and the Bessel functions `bessel_j0(x)`, `bessel_j1(x)` and,
+  /// modified, `bessel_i0(x)`, `bessel_i1(x)` are known. Values are SI.
   class Expression
   {
   public:

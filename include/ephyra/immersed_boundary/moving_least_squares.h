@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ephyra/fluid/staggered_grid.h"
+#include "ephyra/fluid/distributed_array.h"
 #include "ephyra/immersed_boundary/parameters.h"
 
 #include <array>
@@ -14,6 +14,11 @@ namespace ephyra::immersed_boundary
   {
     std::array<int, 3>                   row, column;
     std::array<std::array<double, 3>, 3> value;
+
+    /// The part of the sum over the rows [begin, end); the rows of all ranks
+    /// add up to the field at the point.
+    double
+    apply(const fluid::DistributedArray &u, int begin, int end) const;
   };
 
   /// Moving least squares on 3 x 3 nodes around the node nearest to a point,

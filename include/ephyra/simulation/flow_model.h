@@ -2,6 +2,7 @@
 
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/immersed_boundary/rigid_flow.h"
+#include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/model.h"
 
 namespace ephyra::simulation
@@ -21,15 +22,20 @@ namespace ephyra::simulation
     double
     cfl() const override;
     void
+    write_probes(double time, RunOutput &output) const override;
+    void
     write_profiles(double time, RunOutput &output) const override;
     void
     write_fields(double time, RunOutput &output) override;
+    void
+    add_results(Record &record) const override;
     std::string
     end_reason() const override;
 
   private:
     std::unique_ptr<fluid::FlowSolver>            flow;
     std::unique_ptr<immersed_boundary::RigidFlow> bodies; ///< null: none
+    std::unique_ptr<FlowProbes>                   probes;
     double                                        last_cfl = 0;
   };
 } // namespace ephyra::simulation

@@ -12,6 +12,7 @@
 #include "ephyra/immersed_boundary/parameters.h"
 #include "ephyra/immersed_boundary/rigid_body.h"
 #include "ephyra/simulation/body_probes.h"
+#include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/run_output.h"
 
 #include <string>
@@ -37,6 +38,7 @@ namespace ephyra::simulation
     bool   flow              = false;
     bool   rigid_bodies      = false;
     Muscle muscle            = Muscle::none;
+    double refinement        = 1;  ///< of cells, elements and time steps
     int    nested_elements   = 34; ///< of the line in each element of the body
     int distributed_unknowns = 20000; ///< of a body: from here on it is shared
                                       ///< among the ranks
@@ -60,6 +62,7 @@ namespace ephyra::simulation
     elasticity::ElasticitySolver::Parameters               mechanics;
     elasticity::StaticsSolver::Parameters                  equilibrium;
     fluid::FlowParameters                                  fluid;
+    FlowSampling                                           flow_sampling;
     immersed_boundary::Parameters                          immersed_boundary;
     std::vector<immersed_boundary::RigidBody::Parameters>  bodies;
     coupling::CouplingParameters                           coupling;

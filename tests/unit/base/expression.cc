@@ -45,6 +45,20 @@ BOOST_AUTO_TEST_CASE(values)
   BOOST_TEST(pulse(2.1) == 0.);
 }
 
+BOOST_AUTO_TEST_CASE(bessel_functions)
+{
+  // Values from tables: Abramowitz & Stegun, 9.1 and 9.8.
+  const auto tolerance  = boost::test_tools::tolerance(1e-12);
+  const auto at_minus_1 = [](const std::string &name) {
+    return Expression(name + "(x)", {"x"})(-1.);
+  };
+  BOOST_TEST(at_minus_1("bessel_j0") == 0.765197686557967, tolerance);
+  BOOST_TEST(at_minus_1("bessel_j1") == -0.440050585744934, tolerance);
+  BOOST_TEST(at_minus_1("bessel_i0") == 1.266065877752008, tolerance);
+  BOOST_TEST(at_minus_1("bessel_i1") == -0.565159103992485, tolerance);
+  BOOST_TEST(Expression("bessel_j1(x)", {"x"})(0.) == 0.);
+}
+
 BOOST_AUTO_TEST_CASE(copies_are_independent)
 {
   const Expression square("t^2", {"t"});

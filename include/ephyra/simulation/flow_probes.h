@@ -1,0 +1,78 @@
+#pragma once
+
+#include "ephyra/base/parameter_handler.h"
+#include "ephyra/fluid/flow_solver.h"
+#include "ephyra/immersed_boundary/moving_least_squares.h"
+#include "ephyra/simulation/run_output.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace ephyra::simulation
+{
+  /// Where the flow is recorded: a point (section "Flow probe NAME") or points
+  /// at equal distances on a straight line (section "Flow line NAME").
+  struct FlowSampling
+  {
+    struct Line
+    {
+      std::string           name;
+      std::array<double, 2> start{{0., 0.}}, end{{0., 0.}}; ///< (r, y), m
+      int                   intervals = 0;                  ///< 0: a probe
+    };
+    std::vector<Line> probes, lines;
+
+    static void
+    declare(ParameterHandler &prm);
+    void
+    parse(ParameterHandler &prm);
+  };
+
+  /// Velocity and pressure at points, interpolated by moving least squares
+  /// (second order).
+  class FlowProbes
+  {
+  public:
+    /// Throws InputError where a point lies outside of the grid.
+    FlowProbes(const FlowSampling                  &sampling,
+               const immersed_boundary::Parameters &interpolation,
+               const fluid::StaggeredGrid          &grid);
+
+    /// Rows of probes/NAME.csv; collective.
+    void
+    write_probes(double                   time,
+                 const fluid::FlowSolver &flow,
+                 RunOutput               &output) const;
+    /// The present values at the probes, "NAME axial velocity [m/s]";
+    /// collective.
+    void
+    add_results(const fluid::FlowSolver &flow, Record &record) const;
+    /// Rows of profiles/NAME_QUANTITY.csv, columns by the distance from the
+    /// start of the line in m; collective.
+    void
+    write_lines(double                   time,
+                const fluid::FlowSolver &flow,
+                RunOutput               &output) const;
+
+  private:
+    struct Point
+    {
+      immersed_boundary::Stencil v_r, v_y, p;
+    };
+    struct Series
+    {
+      std::string              name;
+      std::vector<std::string> distances; ///< column names
+      std::vector<Point>       points;
+    };
+    Series
+    series(const FlowSampling::Line                    &line,
+           const immersed_boundary::MovingLeastSquares &mls) const;
+    /// v_r, v_y, p of each point.
+    std::vector<double>
+    evaluate(const Series &series, const fluid::FlowSolver &flow) const;
+
+    std::vector<Series> probes, lines;
+  };
+} // namespace ephyra::simulation
