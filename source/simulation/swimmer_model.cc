@@ -30,6 +30,8 @@ namespace ephyra::simulation
       scene.coupling, *flow, *body, *surface);
     body_output    = std::make_unique<BodyOutput>(*body, scene.body_probes);
     surface_output = std::make_unique<SurfaceOutput>(*body, *surface, *flow);
+    flow_probes    = std::make_unique<FlowProbes>(
+      scene.flow_sampling, scene.immersed_boundary, flow->grid());
   }
 
   StepStatus
@@ -80,12 +82,14 @@ namespace ephyra::simulation
   SwimmerModel::write_probes(const double time, RunOutput &output) const
   {
     body_output->write_probes(time, output);
+    flow_probes->write_probes(time, *flow, output);
   }
 
   void
   SwimmerModel::write_profiles(const double time, RunOutput &output) const
   {
     body_output->write_profiles(time, output);
+    flow_probes->write_lines(time, *flow, output);
     surface_output->write_profiles(time, output);
   }
 
@@ -97,6 +101,12 @@ namespace ephyra::simulation
     output.add_fields("flow", time, grid);
     body_output->write_fields(time, output);
     surface_output->write_fields(time, output);
+  }
+
+  void
+  SwimmerModel::add_results(Record &record) const
+  {
+    flow_probes->add_results(*flow, record);
   }
 
   void

@@ -5,6 +5,7 @@
 #include "ephyra/coupling/wet_surface.h"
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/simulation/body_output.h"
+#include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/model.h"
 #include "ephyra/simulation/surface_output.h"
 
@@ -35,6 +36,8 @@ namespace ephyra::simulation
     void
     write_fields(double time, RunOutput &output) override;
     void
+    add_results(Record &record) const override;
+    void
     forget() override;
 
   private:
@@ -44,6 +47,7 @@ namespace ephyra::simulation
     std::unique_ptr<coupling::Scheme>         scheme;
     std::unique_ptr<BodyOutput>               body_output;
     std::unique_ptr<SurfaceOutput>            surface_output;
+    std::unique_ptr<FlowProbes>               flow_probes;
     double                                    last_cfl        = 0;
     double                                    last_iterations = 0;
   };

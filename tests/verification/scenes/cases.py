@@ -1,0 +1,302 @@
+"""What the shipped scenes have to show: numbers beside independent references.
+
+Each case is a function that runs a scene and yields Numbers. `long` marks what
+takes more than some seconds."""
+
+import dataclasses
+import math
+
+from scene_run import SceneRun, crossing, order, read_reference
+
+QUICK, LONG = "quick", "long"
+CASES = []  # (name, label, command, function)
+
+PAPER = "10.1016/j.apm.2023.08.003"
+INDEPENDENT = "independent program"
+FORMULA = "exact"
+
+
+@dataclasses.dataclass
+class Number:
+    """A computed number, what it should be, and by how much it may differ."""
+    what: str
+    value: float
+    reference: float
+    tolerance: float  # absolute
+    source: str
+
+    def passes(self):
+        return abs(self.value - self.reference) <= self.tolerance
+
+
+def relative(what, value, reference, tolerance, source):
+    return Number(what, value, reference, tolerance * abs(reference), source)
+
+
+def observed_order(what, coarse, fine, expected):
+    """Convergence at least as fast as expected, less 0.15."""
+    found = order(coarse, fine)
+    return Number(what, found, expected, max(0.15, found - expected), "theory")
+
+
+def case(label, scene, *overrides):
+    def add(function):
+        CASES.append((function.__name__, label, scene, overrides, function))
+        return function
+    return add
+
+
+# --- electrophysiology --------------------------------------------------------
+
+@case(QUICK, "single_neuron")
+def single_neuron(run):
+    table = run.table("statistics")
+    time, v = table["time [s]"], [1e3 * x for x in table["largest potential [V]"]]
+    source = f"{INDEPENDENT}, {PAPER} section A.1"
+    yield Number("rest, mV", v[0], -70.762, 1e-3, source)
+    yield Number("peak, mV", max(v), 45.87, 0.02, source)
+    yield Number("time of the peak, ms", 1e3 * time[v.index(max(v))], 2.44, 0.02, source)
+    at = {round(1e6 * t): potential for t, potential in zip(time, v)}
+    yield Number("largest difference to the trace, mV",
+                 max(abs(at[round(1e3 * row[0])] - row[1])
+                     for row in read_reference("single_neuron_epsc_at_0.csv")
+                     if row[0] <= 60), 0, 0.05, source)
+
+
+@case(QUICK, "disk_heat", "Scene/Refinement = 2")
+def disk_heat(run):
+    def field(table, r, time):
+        row = [round(t, 9) for t in table["time [s]"]].index(time)
+        return table[f"{r / 40:g}"][row]
+
+    fine, errors = run.table("profiles/potential"), {}
+    for time, column in ((1, 3), (2, 5)):
+        exact = {r[0]: r[column] for r in read_reference("A1_disk_heat.csv")}
+        for r in (0, 20, 30):
+            errors[r, time] = field(fine, r, time) - exact[r]
+            yield Number(f"field at r = {r} m, t = {time} s", field(fine, r, time), exact[r],
+                         5e-6, "Bessel series (A.1)")
+    with SceneRun("disk_heat") as run_with_longer_steps:
+        coarse = field(run_with_longer_steps.table("profiles/potential"), 30, 1)
+    yield observed_order("order in time", coarse - field(fine, 30, 1) + errors[30, 1],
+                         errors[30, 1], 2)
+
+
+@case(QUICK, "cable")
+def cable(run):
+    yield relative("speed, m/s", run.result["conduction velocity [m/s]"], 0.4748, 0.005,
+                   INDEPENDENT)
+
+
+@case(QUICK, "nagumo_wave")
+def nagumo_wave(run):
+    yield relative("speed, m/s", run.result["conduction velocity [m/s]"],
+                   math.sqrt(1e-3 * 10 / 2) * (1 - 2 * 0.1), 1e-3, FORMULA)
+
+
+# --- elasticity ---------------------------------------------------------------
+
+def displacements(run, inner, outer, inner_reference, outer_reference, tolerance, source):
+    """Displacements of the inner and outer surface from the radii at the end."""
+    yield relative("u_r inside, m", run.result["inner margin radius [m]"] - inner,
+                   inner_reference, tolerance, source)
+    yield relative("u_r outside, m", run.result["margin radius [m]"] - outer,
+                   outer_reference, tolerance, source)
+
+
+@case(QUICK, "elasticity/thick_tube")
+def thick_tube(run):
+    yield from displacements(run, 0.5, 1, 9.53333e-4, 6.06667e-4, 1e-4, f"{PAPER} (A.2)")
+
+
+@case(QUICK, "elasticity/hollow_sphere")
+def hollow_sphere(run):
+    yield from displacements(run, 0.5, 1, -6.0e-4, -5.5e-4, 1e-4, f"{PAPER} (A.3)")
+
+
+@case(QUICK, "elasticity/inflated_tube")
+def inflated_tube_follower_load(run):
+    yield from displacements(run, 0.5, 0.8, 0.113615663, 0.075533786, 1e-6, INDEPENDENT)
+
+
+@case(QUICK, "elasticity/inflated_tube",
+      "Elasticity/Side theta2_0/Pressure acts on = reference surface")
+def inflated_tube_dead_load(run):
+    yield from displacements(run, 0.5, 0.8, 0.090508816, 0.059493237, 1e-6, INDEPENDENT)
+
+
+@case(QUICK, "elasticity/active_tube")
+def active_tube(run):
+    for where, column, reference in (("inner", "inner margin radius [m]", 0.422546728),
+                                     ("outer", "margin radius [m]", 0.754018360)):
+        yield relative(f"{where} radius, m", run.result[column], reference, 1e-6, INDEPENDENT)
+
+
+@case(QUICK, "elasticity/uniaxial_rod")
+def uniaxial_rod(run):
+    stretch = run.result["margin radius [m]"] / 0.3
+    yield relative("stretch across", stretch, 0.8182035373, 1e-9, INDEPENDENT)
+    for which in ("smallest", "largest"):
+        yield relative(f"{which} J", run.result[f"{which} J [-]"],
+                       1.5 * 0.8182035373 ** 2, 1e-9, INDEPENDENT)
+
+
+def cantilever(run, columns, tolerance, source):
+    """The outer surface beyond z = 0.25 m from the clamp, and its free end.
+
+    The body hangs from its clamped end: z points to -y.
+    """
+    radial = run.table("profiles/radial_displacement_theta2_1")
+    axial = {name: [-u for u in values] for name, values in
+             run.table("profiles/axial_displacement_theta2_1").items()}
+    rows = {round(row[0], 6): row for row in read_reference("elasticity/cantilever_tube.csv")}
+    worst = 0
+    for name, values in radial.items():
+        z = round(1.5 * float(name), 6) if name != "time [s]" else 0
+        if z > 0.25 and z in rows:
+            worst = max(worst, abs(values[-1] - rows[z][columns[0]]),
+                        abs(axial[name][-1] - rows[z][columns[1]]))
+    for what, table, column in (("u_r", radial, 0), ("u_z", axial, 1)):
+        yield Number(f"{what} of the free end, m", table["1"][-1],
+                     rows[1.5][columns[column]], tolerance, source)
+    yield Number("largest difference beyond 0.25 m, m", worst, 0, tolerance, source)
+
+
+TAYLOR_HOOD = "dolfinx, mixed Taylor-Hood elements"
+
+
+@case(QUICK, "elasticity/cantilever_tube", "Output/Profiles/Step interval = 1")
+def cantilever_tube_follower_load(run):
+    yield from cantilever(run, (1, 2), 7e-4, TAYLOR_HOOD)
+
+
+@case(QUICK, "elasticity/cantilever_tube", "Output/Profiles/Step interval = 1",
+      "Elasticity/Side theta2_0/Pressure acts on = reference surface")
+def cantilever_tube_dead_load(run):
+    yield from cantilever(run, (7, 8), 6e-4, TAYLOR_HOOD)
+
+
+@case(LONG, "elasticity/cantilever_tube", "Output/Profiles/Step interval = 1",
+      "Scene/Refinement = 3")
+def cantilever_tube_refined(run):
+    yield from cantilever(run, (1, 2), 2.5e-4, TAYLOR_HOOD)
+
+
+@case(QUICK, "elasticity/oscillating_tube")
+def oscillating_tube(run):
+    table = run.table("statistics")
+    radius = table["inner margin radius [m]"]
+    yield relative("largest inner radius, m", max(radius), 0.626466860, 1e-3,
+                   f"{INDEPENDENT}, incompressible")
+    yield relative("time of it, s", table["time [s]"][radius.index(max(radius))], 1.353253,
+                   0.01, f"{INDEPENDENT}, incompressible")
+
+
+# --- flow ---------------------------------------------------------------------
+
+@case(QUICK, "stokes_eigenmode", "Scene/Refinement = 4")
+def stokes_eigenmode(run):
+    k, b, viscosity, end = math.pi, 4.8055067166, 0.1, 0.3
+    rate = viscosity * (k * k + b * b)
+    centre = 1.9828668285
+    yield relative("v_y on the axis at t = 0.3", run.result["centre axial velocity [m/s]"],
+                   centre, 2e-4, FORMULA)
+    energy = run.table("statistics")["kinetic energy [J]"]
+    yield relative("decay rate of the velocity, 1/s",
+                   math.log(energy[0] / energy[-1]) / (2 * end), rate, 1e-3, FORMULA)
+    errors = [run.result["centre axial velocity [m/s]"] - centre]
+    for refinement in (2, 1):
+        with SceneRun("stokes_eigenmode", f"Scene/Refinement = {refinement}") as coarse:
+            errors.append(coarse.result["centre axial velocity [m/s]"] - centre)
+    yield observed_order("order, 32 to 64 cells on the radius", errors[1], errors[0], 2)
+    yield observed_order("order, 16 to 32 cells on the radius", errors[2], errors[1], 2)
+
+
+@case(QUICK, "poiseuille", "Scene/Refinement = 4")
+def poiseuille(run):
+    exact = math.pi / 12
+    yield relative("v_y on the axis", run.result["axis axial velocity [m/s]"], 1, 1e-5, FORMULA)
+    yield relative("kinetic energy, J", run.result["kinetic energy [J]"], exact, 2e-3, FORMULA)
+    with SceneRun("poiseuille", "Scene/Refinement = 2", ranks=2) as coarse:
+        yield observed_order("order of the kinetic energy, 16 to 32 cells",
+                             coarse.result["kinetic energy [J]"] - exact,
+                             run.result["kinetic energy [J]"] - exact, 2)
+
+
+# --- rigid bodies -------------------------------------------------------------
+
+BODY_FITTED = "body-fitted P2-P1 program (FreeFem++)"
+
+
+def drag(run, reference, by_forcing, by_probes):
+    for how, tolerance in (("forcing", by_forcing), ("probes", by_probes)):
+        yield relative(f"drag coefficient by {how}",
+                       run.result[f"sphere drag coefficient by {how} [-]"], reference,
+                       tolerance, BODY_FITTED)
+
+
+@case(QUICK, "sphere_drag")
+def sphere_drag_re100(run):
+    yield from drag(run, 1.089, 0.01, 0.02)
+
+
+@case(LONG, "sphere_drag", "Scene/Refinement = 2")
+def sphere_drag_re100_refined(run):
+    yield from drag(run, 1.089, 0.01, 0.01)
+
+
+@case(LONG, "sphere_drag", "Fluid/Viscosity = 0.05", "Time/Time step = 0.01")
+def sphere_drag_re20(run):
+    yield from drag(run, 2.722, 0.02, 0.03)
+
+
+def settling(run, reynolds, gaps, tolerance):
+    """Largest speed and the times at some gaps h/D above the floor."""
+    diameter = 0.015
+    table = run.table("statistics")
+    rows = read_reference(f"sphere_settling/Re{reynolds}.csv")
+    speed = -run.result["smallest sphere velocity y [m/s]"]
+    yield relative("largest speed, m/s", speed, max(-row[2] for row in rows), tolerance,
+                   BODY_FITTED)
+    for gap in gaps:
+        yield relative(f"time at the gap {gap} D, s",
+                       crossing(table["time [s]"], table["sphere y [m]"],
+                                (gap + 0.5) * diameter),
+                       crossing([row[0] for row in rows], [row[1] for row in rows], gap),
+                       tolerance, BODY_FITTED)
+
+
+@case(QUICK, "settling_sphere")
+def settling_sphere_re32(run):
+    yield from settling(run, "31.9", (6, 4, 2, 1, 0.1), 0.01)
+
+
+@case(LONG, "settling_sphere", "Scene/Refinement = 2")
+def settling_sphere_re32_refined(run):
+    yield from settling(run, "31.9", (6, 4, 2, 1, 0.1), 0.01)
+
+
+@case(LONG, "settling_sphere", "Fluid/Density = 962 kg/m^3", "Fluid/Viscosity = 0.113 Pa s",
+      "Time/Time step = 0.9 ms")
+def settling_sphere_re12(run):
+    yield from settling(run, "11.6", (6, 4, 2, 1, 0.1), 0.015)
+
+
+@case(LONG, "settling_sphere", "Fluid/Density = 965 kg/m^3", "Fluid/Viscosity = 0.212 Pa s",
+      "Time/Time step = 0.5 ms")
+def settling_sphere_re4(run):
+    yield from settling(run, "4.1", (6, 4, 2, 1, 0.1), 0.015)
+
+
+# --- coupled ------------------------------------------------------------------
+
+@case(QUICK, "rod_in_annulus")
+def rod_in_annulus(run):
+    for probe, where, reference in (("axis", "on the axis", 0.167620),
+                                    ("interface", "at the interface", 0.057523),
+                                    ("fluid", "at r = 0.75", 0.155971)):
+        table = run.table(f"probes/{probe}")
+        last_period = [abs(v) for t, v in zip(table["time [s]"],
+                                              table["axial velocity [m/s]"])
+                       if t >= table["time [s]"][-1] - 1]
+        yield relative(f"amplitude of v_y {where}", max(last_period), reference, 0.02, FORMULA)
