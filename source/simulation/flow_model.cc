@@ -56,6 +56,10 @@ namespace ephyra::simulation
       bodies->evaluate(record);
     record.add("kinetic energy [J]",
                fluid::kinetic_energy(flow->velocity(), flow->density()));
+    record.add("circulation [m^2/s]", fluid::circulation(flow->velocity()));
+    record.add(
+      "positive circulation [m^2/s]",
+      fluid::circulation(flow->velocity(), {}, fluid::VorticitySign::positive));
     record.add("relative divergence [-]",
                fluid::relative_divergence(flow->velocity()));
     record.add("CFL number [-]", last_cfl);
