@@ -51,6 +51,18 @@ namespace ephyra::immersed_boundary
                       "body along the normal, over the local cell size. The "
                       "spread forcing moves the wall that the flow sees out by "
                       "about a quarter of a cell.");
+    prm.declare_entry("No-slip iterations",
+                      "0",
+                      patterns::Integer(0, 200),
+                      "Largest number of iterations that bring the velocity "
+                      "after the projection to the markers, one projection "
+                      "each; for rigid bodies that are fixed or moved by a "
+                      "law. 0: forcing and projection once.");
+    prm.declare_entry("No-slip tolerance",
+                      "1e-3 m/s",
+                      patterns::Positive("m/s"),
+                      "Root mean square of the slip over the markers at which "
+                      "these iterations end.");
     prm.declare_entry("Probe length",
                       "1.5",
                       patterns::Double("", 0.5, 5.),
@@ -76,18 +88,20 @@ namespace ephyra::immersed_boundary
   Parameters::parse(ParameterHandler &prm)
   {
     const ParameterHandler::Section section(prm, "Immersed boundary");
-    marker_spacing    = prm.get_double("Marker spacing");
-    largest_spacing   = prm.get_double("Largest marker spacing");
-    weight            = prm.get("Weight function") == "exponential"
-                          ? WeightFunction::exponential
-                          : WeightFunction::cubic_spline;
-    half_width        = prm.get_double("Half width");
-    exponential_width = prm.get_double("Exponential width");
-    forcing_solver    = prm.get("Forcing") == "exact" ? ForcingSolver::exact
-                                                      : ForcingSolver::sweeps;
-    forcing_sweeps    = prm.get_integer("Forcing sweeps");
-    inward_shift      = prm.get_double("Inward shift");
-    probe_length      = prm.get_double("Probe length");
+    marker_spacing     = prm.get_double("Marker spacing");
+    largest_spacing    = prm.get_double("Largest marker spacing");
+    weight             = prm.get("Weight function") == "exponential"
+                           ? WeightFunction::exponential
+                           : WeightFunction::cubic_spline;
+    half_width         = prm.get_double("Half width");
+    exponential_width  = prm.get_double("Exponential width");
+    forcing_solver     = prm.get("Forcing") == "exact" ? ForcingSolver::exact
+                                                       : ForcingSolver::sweeps;
+    forcing_sweeps     = prm.get_integer("Forcing sweeps");
+    inward_shift       = prm.get_double("Inward shift");
+    no_slip_iterations = prm.get_integer("No-slip iterations");
+    no_slip_tolerance  = prm.get_double("No-slip tolerance");
+    probe_length       = prm.get_double("Probe length");
     const std::string pressure = prm.get("Wall pressure");
     wall_pressure              = pressure == "probe" ? WallPressure::probe
                                  : pressure == "acceleration" ? WallPressure::acceleration

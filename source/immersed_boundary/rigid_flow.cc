@@ -3,6 +3,7 @@
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/timer_tree.h"
 #include "ephyra/immersed_boundary/interior_momentum.h"
+#include "ephyra/immersed_boundary/no_slip_iteration.h"
 
 #include <Eigen/Dense>
 
@@ -48,6 +49,7 @@ namespace ephyra::immersed_boundary
                        const Parameters                       &parameters)
     : flow(flow)
     , bodies(std::move(bodies_in))
+    , parameters(parameters)
     , forcing(flow.grid(), parameters)
     , surface_loads(flow.grid(), flow.density(), flow.viscosity(), parameters)
   {
@@ -73,7 +75,13 @@ namespace ephyra::immersed_boundary
         if (bodies[b]->is_free())
           free_bodies.push_back(b);
       }
-    flow.keep_predicted(measures_momentum);
+    EphyraThrowIf(parameters.no_slip_iterations > 0 && !free_bodies.empty(),
+                  InputError,
+                  "'No-slip iterations' are for bodies that are fixed or moved "
+                  "by a law, but body '"
+                    << bodies[free_bodies[0]]->parameters.name
+                    << "' is free: set them to 0.");
+    flow.keep_predicted(measures_momentum || parameters.no_slip_iterations > 0);
     const std::size_t n = free_bodies.size();
     momentum_slope.assign(n * n, 0.);
     for (std::size_t k = 0; k < n; ++k)
@@ -142,12 +150,26 @@ namespace ephyra::immersed_boundary
     forcing.solve(residual, F);
   }
 
-  void
+  StepStatus
   RigidFlow::force_and_project(const unsigned int stage)
   {
+    if (parameters.no_slip_iterations > 0)
+      {
+        const StepStatus status =
+          converge_no_slip(flow,
+                           stage,
+                           forcing,
+                           target,
+                           parameters.no_slip_tolerance,
+                           parameters.no_slip_iterations,
+                           F);
+        projections += 2 + status.iterations + (status.iterations > 0);
+        return status;
+      }
     forcing.spread(F, flow.velocity());
     flow.project(stage);
     ++projections;
+    return StepStatus();
   }
 
   StepStatus
@@ -158,8 +180,7 @@ namespace ephyra::immersed_boundary
     if (n == 0)
       {
         solve_forcing();
-        force_and_project(stage);
-        return StepStatus();
+        return force_and_project(stage);
       }
 
     const auto free = [&](const int k) -> RigidBody & {

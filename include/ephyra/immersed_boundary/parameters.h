@@ -52,6 +52,10 @@ namespace ephyra::immersed_boundary
     int           forcing_sweeps = 3;
     double        inward_shift   = 0.25;
 
+    /// Of converge_no_slip(), for rigid bodies that are not free; 0: off.
+    int    no_slip_iterations = 0;
+    double no_slip_tolerance  = 1e-3; ///< m/s
+
     double          probe_length  = 1.5;
     WallPressure    wall_pressure = WallPressure::acceleration;
     FrictionFormula friction      = FrictionFormula::quadratic;

@@ -112,7 +112,7 @@ namespace ephyra::immersed_boundary
     /// F for the present marker velocities.
     void
     solve_forcing();
-    void
+    StepStatus
     force_and_project(unsigned int stage);
     double
     marker_impulse(int body) const;
@@ -128,6 +128,7 @@ namespace ephyra::immersed_boundary
     std::vector<double>      reference;             ///< control vector at y = 0
     std::vector<int>         body_of_point;
     std::unique_ptr<Markers> the_markers;
+    const Parameters         parameters;
     DirectForcing            forcing;
     SurfaceLoads             surface_loads;
     bool                     forcing_valid     = false;
