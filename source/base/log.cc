@@ -27,6 +27,8 @@ namespace ephyra
                   "The log file \""
                     << file_name
                     << "\" cannot be written; check the rights of its folder.");
+    file << waiting << std::flush;
+    waiting.clear();
   }
 
   void
@@ -36,6 +38,8 @@ namespace ephyra
       std::cout << text << std::endl;
     if (file.is_open())
       file << text << std::endl;
+    else if (writes)
+      waiting += text + "\n";
   }
 
   void

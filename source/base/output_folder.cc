@@ -7,6 +7,7 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iomanip>
 
 namespace ephyra
@@ -82,8 +83,9 @@ namespace ephyra
         }
     }
 
+    /// Throws where a folder must not be used.
     void
-    create_named(const fs::path &folder, const OutputFolder &request)
+    refuse_named(const fs::path &folder, const OutputFolder &request)
     {
       std::error_code ignored;
       EphyraThrowIf(
@@ -91,8 +93,7 @@ namespace ephyra
         InputError,
         "The output folder "
           << folder << " is a file; name another folder with --output.");
-      make_folders(folder);
-      if (fs::is_empty(folder, ignored))
+      if (!fs::exists(folder, ignored) || fs::is_empty(folder, ignored))
         return;
       EphyraThrowIf(!OutputFolder::holds_run(folder.string()),
                     InputError,
@@ -118,6 +119,13 @@ namespace ephyra
                       << text::quote(request.parameter_file)
                       << " of this run and is not emptied; copy the file "
                          "elsewhere first.");
+    }
+
+    void
+    create_named(const fs::path &folder, const OutputFolder &request)
+    {
+      refuse_named(folder, request);
+      make_folders(folder);
       for (const fs::directory_entry &entry : fs::directory_iterator(folder))
         {
           if (entry.path().filename() == mark)
@@ -148,32 +156,50 @@ namespace ephyra
       write_mark(folder);
       return folder;
     }
+
+    /// What @p work returns on the first rank; its errors are those of all.
+    std::string
+    on_first_rank(const MPI_Comm comm, const std::function<std::string()> &work)
+    {
+      std::string folder, error;
+      if (mpi::rank(comm) == 0)
+        try
+          {
+            folder = work();
+          }
+        catch (const InputError &wrong)
+          {
+            error = wrong.what();
+          }
+        catch (const fs::filesystem_error &wrong)
+          {
+            error = "The output folder cannot be used (" +
+                    wrong.code().message() + ": " + wrong.path1().string() +
+                    "); name another with --output.";
+          }
+      mpi::broadcast(folder, comm);
+      mpi::broadcast(error, comm);
+      if (!error.empty())
+        throw InputError(error);
+      return folder;
+    }
   } // namespace
 
   std::string
   OutputFolder::create(const MPI_Comm comm) const
   {
-    std::string folder, error;
-    if (mpi::rank(comm) == 0)
-      try
-        {
-          folder = create_on_first_rank(*this).string();
-        }
-      catch (const InputError &wrong)
-        {
-          error = wrong.what();
-        }
-      catch (const fs::filesystem_error &wrong)
-        {
-          error = "The output folder cannot be used (" +
-                  wrong.code().message() + ": " + wrong.path1().string() +
-                  "); name another with --output.";
-        }
-    mpi::broadcast(folder, comm);
-    mpi::broadcast(error, comm);
-    if (!error.empty())
-      throw InputError(error);
-    return folder;
+    return on_first_rank(
+      comm, [this] { return create_on_first_rank(*this).string(); });
+  }
+
+  void
+  OutputFolder::check(const MPI_Comm comm) const
+  {
+    on_first_rank(comm, [this] {
+      if (!name.empty())
+        refuse_named(name, *this);
+      return std::string();
+    });
   }
 
   bool

@@ -27,6 +27,17 @@ namespace ephyra
           name.find_first_of("/=#\\") != std::string::npos)
         misuse(text::quote(name) + " cannot be the name of an entry");
     }
+
+    bool
+    any_entry_is_set(const ParameterSection &section)
+    {
+      return std::any_of(section.entries.begin(),
+                         section.entries.end(),
+                         [](const auto &e) { return !e->is_default(); }) ||
+             std::any_of(section.subsections.begin(),
+                         section.subsections.end(),
+                         [](const auto &s) { return any_entry_is_set(*s); });
+    }
   } // namespace
 
   struct ParameterHandler::Implementation
@@ -235,6 +246,14 @@ namespace ephyra
   ParameterHandler::is_set(const std::string &name) const
   {
     return !impl->entry(name).is_default();
+  }
+
+  bool
+  ParameterHandler::any_is_set(const std::string &subsection) const
+  {
+    const ParameterSection *const found =
+      impl->current->find_subsection(subsection);
+    return found != nullptr && any_entry_is_set(*found);
   }
 
   std::string

@@ -220,7 +220,7 @@ namespace ephyra
   Interval::due(const TimeControl &control) const
   {
     if (control.n_steps() == 0)
-      return time > 0 || steps > 0;
+      return on();
     const auto count = [this](const double t) {
       return std::floor(t / time + interval_round_off);
     };

@@ -32,7 +32,7 @@ namespace ephyra::coupling
                   InputError,
                   "Coupling/Scheme = fixed point needs a flow with one "
                   "projection a step; set Fluid/Time scheme = "
-                  "Adams-Bashforth or use Scheme = sequential.");
+                  "ab2 or use Scheme = sequential.");
   }
 
   StepStatus

@@ -20,7 +20,7 @@ namespace ephyra::coupling
                   InputError,
                   "Coupling/Scheme = forcing as load needs a flow with one "
                   "projection a step; set Fluid/Time scheme = "
-                  "Adams-Bashforth or use Scheme = sequential.");
+                  "ab2 or use Scheme = sequential.");
   }
 
   StepStatus

@@ -6,6 +6,21 @@
 
 namespace ephyra::coupling
 {
+  namespace
+  {
+    /// An error message, continued by why and what to do.
+    std::string
+    with_remedy(std::string message)
+    {
+      if (!message.empty() && message.back() == '.')
+        message.pop_back();
+      return message +
+             "; the sequential scheme is unstable at any time step where the "
+             "added mass of the fluid exceeds the mass of the body: use "
+             "Coupling/Scheme = forcing as load or fixed point.";
+    }
+  } // namespace
+
   Sequential::Sequential(fluid::FlowSolver                 &flow,
                          DeformableBody                    &body,
                          WetSurface                        &surface,
@@ -18,11 +33,6 @@ namespace ephyra::coupling
   StepStatus
   Sequential::advance(const double t, const double dt)
   {
-    const std::string remedy =
-      " The sequential scheme is unstable at any time step where the added "
-      "mass of the fluid exceeds the mass of the body; use Coupling/Scheme = "
-      "forcing as load or fixed point.";
-
     StepStatus status = body.advance_activation(t, dt);
     if (!status.success)
       return status;
@@ -35,7 +45,7 @@ namespace ephyra::coupling
     status = body.advance_mechanics(t, dt, interface_load);
     if (!status.success)
       {
-        status.reason += remedy;
+        status.reason = with_remedy(status.reason);
         return status;
       }
 
@@ -51,7 +61,7 @@ namespace ephyra::coupling
           }
         catch (const DivergedError &error)
           {
-            throw DivergedError(error.what() + remedy);
+            throw DivergedError(with_remedy(error.what()));
           }
         surface.sample(flow.velocity());
         surface.solve_forcing();
@@ -71,9 +81,8 @@ namespace ephyra::coupling
         size += std::pow(new_load[i], 2);
       }
     if (!std::isfinite(size))
-      return StepStatus::failure("The load of the fluid on the body is not "
-                                 "finite." +
-                                 remedy);
+      return StepStatus::failure(
+        with_remedy("The load of the fluid on the body is not finite"));
     status.iterations = 1;
     status.residual   = size > 0 ? std::sqrt(change / size) : 0.;
     accept(new_load);

@@ -54,12 +54,14 @@ namespace ephyra::fluid
     , out(2 * n)
     , spare_row(n)
   {
+    // Plans that FFTW measures differ from run to run, and so would the results
+    // in their last digits; they are hardly faster.
     if (ends == RowEnds::neumann_neumann)
       {
         plans->forward = fftw_plan_dft_1d(
-          n, complex(in), complex(out), FFTW_FORWARD, FFTW_MEASURE);
+          n, complex(in), complex(out), FFTW_FORWARD, FFTW_ESTIMATE);
         plans->backward = fftw_plan_dft_1d(
-          n, complex(in), complex(out), FFTW_BACKWARD, FFTW_MEASURE);
+          n, complex(in), complex(out), FFTW_BACKWARD, FFTW_ESTIMATE);
         for (int k = 0; k < n; ++k)
           {
             cosine.push_back(std::cos(0.5 * M_PI * k / n));
@@ -69,9 +71,9 @@ namespace ephyra::fluid
       }
     const auto [forward, backward] = real_kinds(ends);
     plans->forward =
-      fftw_plan_r2r_1d(n, in.data(), in.data(), forward, FFTW_MEASURE);
+      fftw_plan_r2r_1d(n, in.data(), in.data(), forward, FFTW_ESTIMATE);
     plans->backward = fftw_plan_r2r_1d(
-      n, in.data(), out.data(), backward, FFTW_MEASURE | FFTW_PRESERVE_INPUT);
+      n, in.data(), out.data(), backward, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   }
 
   RowTransforms::~RowTransforms() = default;

@@ -1,8 +1,7 @@
 #include "ephyra/simulation/flow_model.h"
 
 #include "ephyra/fluid/flow_diagnostics.h"
-
-#include <cmath>
+#include "ephyra/simulation/flow_status.h"
 
 namespace ephyra::simulation
 {
@@ -34,10 +33,7 @@ namespace ephyra::simulation
       flow->advance(t, dt);
     if (!status.success)
       return status;
-    last_cfl = flow->max_cfl(dt);
-    if (!std::isfinite(last_cfl))
-      return StepStatus::failure("The velocity of the flow is not finite.");
-    return status;
+    return flow_status(*flow, dt, last_cfl);
   }
 
   void

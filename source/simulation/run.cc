@@ -27,8 +27,11 @@ namespace ephyra::simulation
             Scene scene;
             scene.parse(prm);
             prm.throw_errors();
-            if (mpi::rank(comm) == 0)
-              std::cout << file << ": valid (" << scene.description() << ")\n";
+            if (mpi::rank(comm) != 0)
+              continue;
+            std::cout << file << ": valid (" << scene.description() << ")\n";
+            for (const std::string &warning : scene.warnings)
+              std::cout << file << ": Warning: " << warning << "\n";
           }
         catch (const InputError &error)
           {

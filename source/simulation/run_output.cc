@@ -59,9 +59,19 @@ namespace ephyra::simulation
   }
 
   void
-  RunOutput::resume(const double time)
+  RunOutput::resume(const double time, const Record &statistics)
   {
     resumed_at = time;
+    name_columns(statistics);
+  }
+
+  void
+  RunOutput::name_columns(const Record &statistics)
+  {
+    summary_names.clear();
+    for (const auto &entry : statistics.all())
+      summary_names.push_back(entry.first);
+    summaries.resize(summary_names.size());
   }
 
   io::CsvTable &
@@ -142,9 +152,7 @@ namespace ephyra::simulation
   RunOutput::collect(const double time, const Record &record)
   {
     if (summary_names.empty())
-      for (const auto &entry : record.all())
-        summary_names.push_back(entry.first);
-    summaries.resize(summary_names.size());
+      name_columns(record);
     const bool   counts   = time >= prm.result_start;
     const double duration = counts && covered_any ? time - summary_time : 0.;
     for (std::size_t k = 0; k < summaries.size(); ++k)

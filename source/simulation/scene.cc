@@ -1,5 +1,7 @@
 #include "ephyra/simulation/scene.h"
 
+#include "ephyra/simulation/scene_checks.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -257,10 +259,7 @@ namespace ephyra::simulation
         const ParameterHandler::Section section(prm, "Coupling");
         coupling.parse(prm);
       }
-    if (rigid_bodies && bodies.empty())
-      prm.add_error("Scene/Physics",
-                    "there is no section \"Rigid body NAME\"; add one for each "
-                    "body.");
+    check_scene(*this, prm);
   }
 
   std::string

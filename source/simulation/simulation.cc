@@ -9,15 +9,26 @@
 #include "ephyra/io/collective.h"
 #include "ephyra/version.h"
 
-#include <fstream>
+#include <algorithm>
 #include <sstream>
 
 namespace ephyra::simulation
 {
   namespace
   {
-    /// The parameters that fix the state, one in each line: everything but
-    /// output and the end of the run.
+    /// Sections of what is only looked at.
+    bool
+    is_output(const std::string &section)
+    {
+      for (const char *name :
+           {"Output", "Body probe ", "Flow probe ", "Flow line "})
+        if (section.rfind(name, 0) == 0)
+          return true;
+      return false;
+    }
+
+    /// The parameters that fix the state, one in each line and without
+    /// comments: everything but output and the end of the run.
     std::string
     fingerprint(const ParameterHandler &prm)
     {
@@ -27,12 +38,10 @@ namespace ephyra::simulation
       std::string        result, line, section;
       while (std::getline(in, line))
         {
-          const auto first = line.find_first_not_of(' ');
-          if (first == std::string::npos || line[first] == '#')
-            continue;
-          if (first == 0 && line.rfind("subsection ", 0) == 0)
+          line.erase(std::min(line.find("  #"), line.size()));
+          if (line.rfind("subsection ", 0) == 0)
             section = line.substr(11);
-          if (section != "Output" && section != "Time")
+          if (section != "Time" && !is_output(section))
             result += line + "\n";
         }
       return result;
@@ -60,34 +69,30 @@ namespace ephyra::simulation
     scene.parse(prm);
     prm.throw_errors();
 
-    if (resumes)
-      folder = command_line.resume_folder;
-    else
-      {
-        OutputFolder request;
-        request.name           = command_line.output_folder;
-        request.parameter_file = file;
-        request.overwrite      = command_line.overwrite;
-        folder                 = request.create(comm);
-      }
-    log().attach_file(folder + "/log.txt", resumes);
-    write_header();
+    OutputFolder request;
+    request.name           = command_line.output_folder;
+    request.parameter_file = file;
+    request.overwrite      = command_line.overwrite;
     if (!resumes)
-      write_parameters();
+      request.check(comm);
 
-    time   = std::make_unique<TimeControl>(scene.time);
-    output = std::make_unique<RunOutput>(scene.output, folder, comm);
-    checkpoints =
-      std::make_unique<io::Checkpoints>(folder, fingerprint(prm), comm);
+    write_header();
+    time = std::make_unique<TimeControl>(scene.time);
     {
       const TimerTree::Scope scope(timer(), "setup");
       model = make_model(scene, comm);
     }
+
+    // The folder is touched only when nothing is left to be refused.
+    folder = resumes ? command_line.resume_folder : request.create(comm);
+    output = std::make_unique<RunOutput>(scene.output, folder, comm);
+    checkpoints =
+      std::make_unique<io::Checkpoints>(folder, fingerprint(prm), comm);
     if (resumes)
-      {
-        resume();
-        write_parameters(); // not before the checkpoint is found to fit them
-      }
+      resume();
+    log().attach_file(folder + "/log.txt", resumes);
+    log().line("Output: " + folder);
+    write_parameters();
   }
 
   void
@@ -108,9 +113,10 @@ namespace ephyra::simulation
     log().line(std::string("Ephyra ") + version::release + " (" +
                version::commit + ", " + version::build_type + ", " +
                version::compiler + "; " + version::libraries + ")");
-    log().line("Ranks: " + std::to_string(mpi::size(comm)) +
-               ", output: " + folder);
+    log().line("Ranks: " + std::to_string(mpi::size(comm)));
     log().line("Scene: " + scene.description());
+    for (const std::string &warning : scene.warnings)
+      log().warning(warning);
   }
 
   void
@@ -132,7 +138,9 @@ namespace ephyra::simulation
       const Archive::Group group(archive, "results");
       output->serialize(archive);
     });
-    output->resume(time->time());
+    if (!state.warning.empty())
+      log().warning(state.warning);
+    output->resume(time->time(), statistics());
     last_checkpoint = resumed_from = time->n_steps();
     std::ostringstream line;
     line << "Resumed from " << state.file << ": step " << state.step
@@ -153,6 +161,15 @@ namespace ephyra::simulation
     last_checkpoint = time->n_steps();
   }
 
+  Record
+  Simulation::statistics()
+  {
+    Record record;
+    record.add("step [-]", static_cast<double>(time->n_steps()));
+    model->evaluate(record);
+    return record;
+  }
+
   void
   Simulation::write_output()
   {
@@ -160,9 +177,7 @@ namespace ephyra::simulation
     const auto            &when = scene.output;
     if (when.statistics.due(*time))
       {
-        Record record;
-        record.add("step [-]", static_cast<double>(time->n_steps()));
-        model->evaluate(record);
+        const Record record = statistics();
         output->collect(time->time(), record);
         output->add_row("statistics", time->time(), record);
         model->write_probes(time->time(), *output);
@@ -234,7 +249,7 @@ namespace ephyra::simulation
           write_checkpoint();
         const std::string natural_end = model->end_reason();
         if (!natural_end.empty())
-          return finish(ExitCode::success, natural_end);
+          return finish_well(natural_end);
         const std::string reason = stop.reason();
         if (!reason.empty() && !time->finished())
           {
@@ -245,7 +260,16 @@ namespace ephyra::simulation
                             "); continue with --resume " + folder);
           }
       }
-    return finish(ExitCode::success, "Done");
+    return finish_well("Done");
+  }
+
+  ExitCode
+  Simulation::finish_well(const std::string &how)
+  {
+    // So that the run can be extended.
+    if (scene.output.checkpoints.on() && last_checkpoint != time->n_steps())
+      write_checkpoint();
+    return finish(ExitCode::success, how);
   }
 
   ExitCode

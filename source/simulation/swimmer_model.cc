@@ -1,8 +1,8 @@
 #include "ephyra/simulation/swimmer_model.h"
 
 #include "ephyra/simulation/build_body.h"
+#include "ephyra/simulation/flow_status.h"
 
-#include <cmath>
 
 namespace ephyra::simulation
 {
@@ -41,10 +41,7 @@ namespace ephyra::simulation
     if (!status.success)
       return status;
     last_iterations = status.iterations;
-    last_cfl        = flow->max_cfl(dt);
-    if (!std::isfinite(last_cfl))
-      return StepStatus::failure("The velocity of the flow is not finite.");
-    return status;
+    return flow_status(*flow, dt, last_cfl);
   }
 
   void

@@ -16,6 +16,7 @@ namespace ephyra
     /// Rank and file; call once after MPI_Init.
     void
     initialize(MPI_Comm comm, bool quiet = false);
+    /// The file begins with the lines so far.
     void
     attach_file(const std::string &file_name, bool append = false);
 
@@ -30,6 +31,7 @@ namespace ephyra
 
   private:
     std::ofstream file;
+    std::string   waiting; ///< lines from before there was a file
     bool          writes    = true;
     bool          to_screen = true;
     unsigned int  warnings  = 0;

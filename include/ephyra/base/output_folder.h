@@ -25,6 +25,10 @@ namespace ephyra
     std::string
     create(MPI_Comm comm) const;
 
+    /// Throws as create() would, but leaves everything as it is. Collective.
+    void
+    check(MPI_Comm comm) const;
+
     /// Whether @p folder was made by create().
     static bool
     holds_run(const std::string &folder);

@@ -109,6 +109,9 @@ namespace ephyra
     /// its default. (A resolved file sets every entry.)
     bool
     is_set(const std::string &name) const;
+    /// Whether any entry of a subsection, or of one in it, is_set().
+    bool
+    any_is_set(const std::string &subsection) const;
     /// "file:line" of where the entry was set, or "default".
     std::string
     origin(const std::string &name) const;

@@ -116,5 +116,11 @@ namespace ephyra
     /// gives the same answers.
     bool
     due(const TimeControl &control) const;
+    /// Whether it is ever due.
+    bool
+    on() const
+    {
+      return time > 0 || steps > 0;
+    }
   };
 } // namespace ephyra

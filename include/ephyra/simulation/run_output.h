@@ -43,8 +43,9 @@ namespace ephyra::simulation
               MPI_Comm                comm);
 
     /// What exists in the folder is kept up to @p time (s), and continued.
+    /// @p statistics has the names of the columns.
     void
-    resume(double time);
+    resume(double time, const Record &statistics);
 
     /// A row of `NAME.csv`, time (s) in the first column.
     void
@@ -87,6 +88,8 @@ namespace ephyra::simulation
     }
 
   private:
+    void
+    name_columns(const Record &statistics);
     io::CsvTable &
     table(const std::string &name, const std::vector<std::string> &columns);
     io::PvdCollection &

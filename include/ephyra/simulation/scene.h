@@ -67,6 +67,8 @@ namespace ephyra::simulation
     std::vector<immersed_boundary::RigidBody::Parameters>  bodies;
     coupling::CouplingParameters                           coupling;
 
+    std::vector<std::string> warnings; ///< for the log
+
     static void
     declare(ParameterHandler &prm);
     /// Reads the values and checks them against each other; errors are added

@@ -38,12 +38,16 @@ namespace ephyra::simulation
     resume();
     void
     step();
+    Record
+    statistics();
     void
     write_output();
     void
     write_checkpoint();
     void
     serialize(Archive &archive);
+    ExitCode
+    finish_well(const std::string &how);
     ExitCode
     finish(ExitCode code, const std::string &how);
 

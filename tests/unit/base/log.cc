@@ -18,7 +18,7 @@ BOOST_AUTO_TEST_CASE(the_first_rank_writes)
   {
     Log log;
     log.initialize(MPI_COMM_WORLD, true);
-    log.line("not yet");
+    log.line("before");
     log.attach_file(file);
     log.line("first");
     log.warning("the grid is coarse");
@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE(the_first_rank_writes)
   }
   MPI_Barrier(MPI_COMM_WORLD);
   BOOST_TEST(testing::read_whole_file(file) ==
-             "first\nWarning: the grid is coarse\n");
+             "before\nfirst\nWarning: the grid is coarse\n");
   MPI_Barrier(MPI_COMM_WORLD);
   {
     Log log;
@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(the_first_rank_writes)
   }
   MPI_Barrier(MPI_COMM_WORLD);
   BOOST_TEST(testing::read_whole_file(file) ==
-             "first\nWarning: the grid is coarse\nresumed\n");
+             "before\nfirst\nWarning: the grid is coarse\nresumed\n");
 }
 
 BOOST_AUTO_TEST_CASE(a_missing_folder_is_an_input_error)

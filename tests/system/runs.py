@@ -1,0 +1,102 @@
+"""Runs of the whole program for the tests of this folder."""
+
+import csv
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SCENES = ROOT / "tests" / "system" / "scenes"
+BINARY = os.environ.get("EPHYRA_BINARY", str(ROOT / "build" / "ephyra-binary"))
+MPIEXEC = os.environ.get("EPHYRA_MPIEXEC", "mpiexec")
+
+
+def command(*arguments, ranks=1):
+    start = [MPIEXEC, "-n", str(ranks)] if ranks > 1 else []
+    return [*start, BINARY, *map(str, arguments)]
+
+
+def sets(**entries):
+    """Options --set; a double underscore separates section and entry, a single
+    one stands for a blank."""
+    return [word for name, value in entries.items()
+            for word in ("--set", name.replace("__", "/").replace("_", " ") + f" = {value}")]
+
+
+class Table:
+    """A CSV file: names of the columns, and the values."""
+
+    def __init__(self, path):
+        with open(path, encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        self.names = rows[0]
+        self.values = numpy.array(rows[1:], dtype=float)
+
+    def __getitem__(self, name):
+        return self.values[:, self.names.index(name)]
+
+
+def tells_effort(column):
+    """Residuals and numbers of iterations say how a step was solved, not what came
+    out: they are at the level of the tolerances."""
+    return "residual" in column or "iterations" in column
+
+
+class SystemTest(unittest.TestCase):
+    """A test with an empty folder of its own, in which the program runs."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_program(self, *arguments, ranks=1, code=0):
+        """Runs the program and checks its exit code; returns the process."""
+        process = subprocess.run(command(*arguments, ranks=ranks), cwd=self.folder,
+                                 capture_output=True, text=True, stdin=subprocess.DEVNULL,
+                                 timeout=120, check=False)
+        self.assertEqual(process.returncode, code, process.stderr + process.stdout)
+        return process
+
+    def run_scene(self, scene, name, *options, ranks=1, code=0):
+        """Runs one of the scenes in the folder `name`."""
+        return self.run_program(SCENES / scene, "--output", name, "--quiet", *options,
+                                ranks=ranks, code=code)
+
+    def table(self, run, name="statistics.csv"):
+        return Table(self.folder / run / name)
+
+    def files(self, run):
+        """Every file of a folder and what is in it."""
+        return {path: path.read_bytes() for path in sorted((self.folder / run).glob("**/*"))
+                if path.is_file()}
+
+    def assert_refused(self, process, *parts):
+        """The error names all parts, once, and nothing else went wrong."""
+        message = process.stderr
+        for part in parts:
+            self.assertEqual(message.count(part), 1, f"{part!r} in {message}")
+        for bad in ("terminate called", "Internal error", "HDF5-DIAG", "Segmentation"):
+            self.assertNotIn(bad, message)
+
+    def assert_same(self, run, reference, tolerance):
+        """Equal statistics: differences relative to the scale of the column."""
+        a, b = self.table(run), self.table(reference)
+        self.assertEqual(a.names, b.names)
+        self.assertEqual(list(a["step [-]"]), list(b["step [-]"]))
+        self.assertTrue(numpy.isfinite(a.values).all())
+        for name in a.names:
+            if tells_effort(name):
+                continue
+            scale = numpy.abs(b[name]).max()
+            difference = numpy.abs(a[name] - b[name]).max()
+            self.assertLessEqual(difference, tolerance * scale, f"{run}: {name}")
+
+
+def main():
+    unittest.main(argv=[sys.argv[0], *sys.argv[1:]])

@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+"""The first 50 steps agree on 1, 2 and 3 ranks."""
+
+import runs
+
+TOLERANCE = 1e-8
+
+
+class RanksTest(runs.SystemTest):
+    def check(self, scene, *options):
+        self.run_scene(scene, "one", *options)
+        steps = self.table("one")["step [-]"]
+        self.assertEqual(list(steps), list(range(51)))
+        for ranks in (2, 3):
+            self.run_scene(scene, f"ranks{ranks}", *options, ranks=ranks)
+            self.assert_same(f"ranks{ranks}", "one", TOLERANCE)
+
+    def test_swim_with_forcing_as_load(self):
+        self.check("swim.prm")
+        # It is no test where nothing happens.
+        table = self.table("one")
+        self.assertGreater(table["largest activation [-]"][-1], 0.05)
+        self.assertGreater(table["drop of margin diameter [-]"][-1], 1e-3)
+        self.assertGreater(table["fluid force y [N]"].max(), 1e-5)
+
+    def test_swim_with_fixed_point(self):
+        self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"))
+
+    def test_swim_with_a_distributed_body(self):
+        self.check("swim.prm", *runs.sets(Scene__Distributed_body_from=0))
+
+    def test_sinking_sphere(self):
+        self.check("sphere.prm")
+        self.assertLess(self.table("one")["sphere velocity y [m/s]"][-1], -0.01)
+
+
+if __name__ == "__main__":
+    runs.main()

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+"""A run agrees with its restart from a checkpoint in its middle, on the same and
+on another number of ranks, and its files have no doubled or missing rows."""
+
+import re
+import shutil
+
+import runs
+
+SAME_RANKS = 1e-10
+OTHER_RANKS = 1e-8
+
+
+class RestartTest(runs.SystemTest):
+    def times(self, run, series):
+        text = (self.folder / run / f"{series}.pvd").read_text(encoding="utf-8")
+        for file in re.findall('file="([^"]+)"', text):
+            self.assertTrue((self.folder / run / file).exists(), file)
+        return [float(time) for time in re.findall('timestep="([^"]+)"', text)]
+
+    def check(self, scene, *options, series):
+        """Checkpoints are written at steps 25 and 50; the first run ends at 32,
+        so that rows of 26 ... 32 have to be taken back."""
+        self.run_scene(scene, "whole", *options)
+        self.run_scene(scene, "part", *options, *runs.sets(Time__Number_of_steps=32))
+        # The end of a run is a checkpoint, too; that in the middle is wanted.
+        (self.folder / "part/checkpoints/checkpoint_000000032.h5").unlink()
+        shutil.copytree(self.folder / "part", self.folder / "others")
+        for run, ranks, tolerance in (("part", 1, SAME_RANKS), ("others", 2, OTHER_RANKS)):
+            self.run_program("--resume", run, "--quiet", *runs.sets(Time__Number_of_steps=50),
+                             ranks=ranks)
+            self.assertIn("step 25", (self.folder / run / "log.txt").read_text(encoding="utf-8"))
+            self.assert_same(run, "whole", tolerance)
+            for name in series:
+                self.assertEqual(self.times(run, name), self.times("whole", name))
+            result, whole = self.table(run, "result.csv"), self.table("whole", "result.csv")
+            self.assertEqual(result.names, whole.names)
+            for name in result.names:
+                if name.startswith(("mean", "largest centre")) and not runs.tells_effort(name):
+                    self.assertAlmostEqual(result[name][0] / whole[name][0], 1, 7, name)
+
+    def test_swim_with_forcing_as_load(self):
+        self.check("swim.prm", series=("flow", "body"))
+        for name in ("potential", "activation", "radial_displacement"):
+            part, whole = (self.table(run, f"profiles/{name}.csv") for run in ("part", "whole"))
+            self.assertEqual(part.names, whole.names)
+            self.assertEqual(part.values.tolist(), whole.values.tolist())
+
+    def test_swim_with_fixed_point(self):
+        self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"),
+                   series=("flow", "body"))
+
+    def test_sinking_sphere(self):
+        self.check("sphere.prm", series=("flow",))
+
+    def test_a_finished_run_has_nothing_left(self):
+        self.run_scene("sphere.prm", "run")
+        before = self.files("run")
+        self.run_program("--resume", "run", "--quiet")
+        after = self.files("run")
+        for path in ("statistics.csv", "flow.pvd", "parameters.prm"):
+            self.assertEqual(before[self.folder / "run" / path], after[self.folder / "run" / path])
+        self.assertEqual(self.table("run", "result.csv").names[5:12],
+                         ["step [-]", "smallest step [-]", "largest step [-]", "mean step [-]",
+                          "sphere y [m]", "smallest sphere y [m]", "largest sphere y [m]"])
+
+    def test_the_resolved_file_reproduces_the_run(self):
+        self.run_scene("swim.prm", "first", *runs.sets(Time__Number_of_steps=20))
+        shutil.copy(self.folder / "first/parameters.prm", self.folder / "again.prm")
+        self.run_program("again.prm", "--output", "second", "--quiet")
+        first, second = self.files("first"), self.files("second")
+        for name in ("statistics.csv", "iterations.csv", "parameters.prm",
+                     "profiles/potential.csv", "body/body_000002.vtu"):
+            self.assertEqual(first[self.folder / "first" / name],
+                             second[self.folder / "second" / name], name)
+
+
+if __name__ == "__main__":
+    runs.main()
