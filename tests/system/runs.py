@@ -42,9 +42,9 @@ class Table:
 
 
 def tells_effort(column):
-    """Residuals and numbers of iterations say how a step was solved, not what came
-    out: they are at the level of the tolerances."""
-    return "residual" in column or "iterations" in column
+    """Residuals, numbers of iterations and the divergence say how a step was
+    solved, not what came out: they are at the level of tolerances or round-off."""
+    return any(word in column for word in ("residual", "iterations", "divergence"))
 
 
 class SystemTest(unittest.TestCase):
