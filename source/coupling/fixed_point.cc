@@ -2,6 +2,7 @@
 
 #include "ephyra/base/exceptions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -63,6 +64,12 @@ namespace ephyra::coupling
       return status;
 
     acceleration->start_step();
+    // Loads that strain the body by less than this are below what its Newton
+    // iteration resolves.
+    constexpr double smallest_strain = 1e-11;
+    const double     floor =
+      std::max(parameters.absolute_tolerance,
+               smallest_strain * body.mechanics().body().unit_force());
     std::vector<double> x(load), result; // linear prediction
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] += load[i] - older_load[i];
@@ -88,8 +95,7 @@ namespace ephyra::coupling
         status.iterations = k;
         status.residual   = size > 0 ? change / size : 0.;
         relaxation        = acceleration->relaxation();
-        if (change <=
-            parameters.tolerance * size + parameters.absolute_tolerance)
+        if (change <= parameters.tolerance * size + floor)
           {
             acceleration->finish_step(true);
             older_load = load;

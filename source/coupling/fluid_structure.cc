@@ -32,10 +32,11 @@ namespace ephyra::coupling
                       "Fixed point: change of the load relative to the load at "
                       "which a step has converged.");
     prm.declare_entry("Absolute tolerance",
-                      "1e-12",
+                      "0",
                       patterns::Double("N", 0.),
                       "Fixed point: change of the load (norm of the nodal "
-                      "forces) that always counts as converged.");
+                      "forces) that always counts as converged; never less "
+                      "than what strains the body by 1e-11.");
     prm.declare_entry("Maximum iterations",
                       "50",
                       patterns::Integer(1, 1000),

@@ -7,7 +7,8 @@ namespace ephyra::coupling
   /// Implicit coupling by a fixed-point iteration on the load: the body moves
   /// from the old level under the load x, the flow answers from the same u*
   /// and pressure with the load H(x) at the probes, until
-  ///   |H(x) - x| <= tolerance |H(x)| + absolute tolerance.
+  ///   |H(x) - x| <= tolerance |H(x)| + absolute tolerance,
+  /// the latter never below the load that strains the body by 1e-11.
   /// Carrying the flow from one iteration to the next would not converge. An
   /// iteration that does not converge is a failed step.
   class FixedPoint : public FluidStructureScheme

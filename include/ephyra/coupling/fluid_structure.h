@@ -32,8 +32,8 @@ namespace ephyra::coupling
 
     SchemeKind scheme    = SchemeKind::automatic;
     LoadKind   load      = LoadKind::probes; ///< sequential scheme
-    double     tolerance = 1e-3; ///< fixed point: relative change of load
-    double     absolute_tolerance = 1e-12; ///< N
+    double     tolerance = 1e-3;       ///< fixed point: relative change of load
+    double     absolute_tolerance = 0; ///< N
     int        maximum_iterations = 50;
     Acceleration::Parameters acceleration;
 
