@@ -25,6 +25,13 @@ class Number:
     tolerance: float  # absolute
     source: str
 
+    def difference(self):
+        """In words: relative, where that has a meaning."""
+        if self.reference == 0 or self.source == "theory":
+            return ""
+        percent = 100 * (self.value / self.reference - 1)
+        return f"{percent:+.2g} %" if abs(percent) >= 1e-4 else "< 0.0001 %"
+
     def passes(self):
         return abs(self.value - self.reference) <= self.tolerance
 
@@ -247,6 +254,13 @@ def vortex_ring(run):
 BODY_FITTED = "body-fitted P2-P1 program (FreeFem++)"
 
 
+def axis(run, line):
+    """Positions from the start and axial velocities of a line, at the end."""
+    table = run.table(f"profiles/{line}_axial_velocity")
+    names = [name for name in table if name != "time [s]"]
+    return [float(name) for name in names], [table[name][-1] for name in names]
+
+
 def drag(run, reference, by_forcing, by_probes):
     for how, tolerance in (("forcing", by_forcing), ("probes", by_probes)):
         yield relative(f"drag coefficient by {how}",
@@ -262,6 +276,10 @@ def sphere_drag_re100(run):
 @case(LONG, "sphere_drag", "Scene/Refinement = 2")
 def sphere_drag_re100_refined(run):
     yield from drag(run, 1.089, 0.01, 0.01)
+    x, v = axis(run, "wake")
+    behind = v.index(min(v))
+    yield relative("length of the wake, D", crossing(x[behind:], v[behind:], 0), 0.869, 0.02,
+                   BODY_FITTED)
 
 
 @case(LONG, "sphere_drag", "Fluid/Viscosity = 0.05", "Time/Time step = 0.01",
@@ -270,12 +288,31 @@ def sphere_drag_re20(run):
     yield from drag(run, 2.722, 0.01, 0.03)
 
 
-@case(LONG, "torus_drag")
-def torus_drag(run):
+def torus(run, reference):
     for how in ("forcing", "probes"):
         yield relative(f"drag coefficient by {how}",
-                       run.result[f"torus drag coefficient by {how} [-]"], 1.0503, 0.03,
+                       run.result[f"torus drag coefficient by {how} [-]"], reference, 0.03,
                        BODY_FITTED)
+
+
+@case(LONG, "torus_drag")
+def torus_drag(run):
+    yield from torus(run, 1.0503)
+    x, v = axis(run, "axis")
+    yield Number("velocity on the axis in the plane of the torus", v[x.index(1)], 1.064, 0.02,
+                 BODY_FITTED)
+    yield Number("largest velocity on the axis", max(v), 1.171, 0.02, BODY_FITTED)
+
+
+@case(LONG, "torus_drag", "Rigid body torus/Ring radius = 0.65",
+      "Rigid body torus/Reference area = 4.08407",
+      "Fluid/Grid/Radial breakpoints = 0, 1.4, 20.65")
+def torus_drag_ratio_1_3(run):
+    yield from torus(run, 0.9278)
+    x, v = axis(run, "axis")
+    yield Number("velocity on the axis in the plane of the torus", v[x.index(1)], 0.537, 0.02,
+                 BODY_FITTED)
+    yield Number("smallest velocity on the axis", min(v), -0.443, 0.02, BODY_FITTED)
 
 
 def settling(run, reynolds, gaps, tolerance):

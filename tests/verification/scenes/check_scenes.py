@@ -26,13 +26,14 @@ def main(arguments):
         with SceneRun(scene, *overrides) as run:
             numbers = list(function(run))
             seconds = run.result["wall time [s]"]
-        command = f"`verification/{scene}.prm`" + "".join(
-            f" `--set \"{override}\"`" for override in overrides)
+        command = " ".join([f"`{scene}.prm`",
+                            *(f"`--set \"{override}\"`" for override in overrides)])
         for number in numbers:
             failures += not number.passes()
             if table:
                 print(f"| {command} | {number.what} | {number.value:.6g} | "
-                      f"{number.reference:.6g} | {number.source} |", flush=True)
+                      f"{number.reference:.6g} | {number.difference()} | {number.source} |",
+                      flush=True)
                 command = ""
             else:
                 print(f"{'pass' if number.passes() else 'FAIL'}  {name}: {number.what}: "
