@@ -22,11 +22,14 @@ class RestartTest(runs.SystemTest):
         """Checkpoints are written at steps 25 and 50; the first run ends at 32,
         so that rows of 26 ... 32 have to be taken back."""
         self.run_scene(scene, "whole", *options)
-        self.run_scene(scene, "part", *options, *runs.sets(Time__Number_of_steps=32))
-        # The end of a run is a checkpoint, too; that in the middle is wanted.
-        (self.folder / "part/checkpoints/checkpoint_000000032.h5").unlink()
+        for run, ranks in (("part", 1), ("two", 2)):
+            self.run_scene(scene, run, *options, *runs.sets(Time__Number_of_steps=32),
+                           ranks=ranks)
+            # The end of a run is a checkpoint, too; that in the middle is wanted.
+            (self.folder / run / "checkpoints/checkpoint_000000032.h5").unlink()
         shutil.copytree(self.folder / "part", self.folder / "others")
-        for run, ranks, tolerance in (("part", 1, SAME_RANKS), ("others", 2, OTHER_RANKS)):
+        for run, ranks, tolerance in (("part", 1, SAME_RANKS), ("others", 2, OTHER_RANKS),
+                                      ("two", 1, OTHER_RANKS)):
             self.run_program("--resume", run, "--quiet", *runs.sets(Time__Number_of_steps=50),
                              ranks=ranks)
             self.assertIn("step 25", (self.folder / run / "log.txt").read_text(encoding="utf-8"))
