@@ -1,6 +1,6 @@
 #include "ephyra/coupling/deformable_body.h"
 
-#include "ephyra/base/timer_tree.h"
+
 
 namespace ephyra::coupling
 {
@@ -45,7 +45,6 @@ namespace ephyra::coupling
                                     const double                     dt,
                                     const elasticity::InterfaceLoad &load)
   {
-    const TimerTree::Scope         scope(timer(), "elasticity", n_unknowns());
     const elasticity::NewtonStatus status = solver.advance(t, dt, load);
     newton_iterations                     = status.iterations;
     return status;
