@@ -101,10 +101,11 @@ namespace ephyra
     std::ifstream   stream(file_name);
     if (!stream || fs::is_directory(file_name, ignored))
       {
-        errors.push_back(prefix + "the parameter file " +
-                         text::quote(file_name) +
-                         (fs::exists(file_name, ignored) ? " cannot be read"
-                                                         : " does not exist"));
+        errors.push_back(
+          prefix + "the parameter file " + text::quote(file_name) +
+          (fs::is_directory(file_name, ignored) ? " is a folder"
+           : fs::exists(file_name, ignored)     ? " cannot be read"
+                                                : " does not exist"));
         return;
       }
     const std::string canonical = fs::weakly_canonical(file_name).string();
@@ -120,11 +121,15 @@ namespace ephyra
         }
     std::ostringstream content;
     content << stream.rdbuf();
+    const auto statements = parse_parameter_text(content.str());
+    if (statements.empty() && mentioned_at.empty())
+      errors.push_back("the parameter file " + text::quote(file_name) +
+                       " sets nothing; is it the right one?");
     files.push_back({n_files++,
                      file_name,
                      canonical,
                      fs::path(file_name).parent_path().string()});
-    read_statements(parse_parameter_text(content.str()), cursor);
+    read_statements(statements, cursor);
     files.pop_back();
   }
 

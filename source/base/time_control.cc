@@ -139,7 +139,7 @@ namespace ephyra
       DivergedError,
       "Step " << steps + 1 << " at time " << time()
               << " s failed with a time step of " << failed
-              << " s, and half of it is below the smallest allowed ("
+              << " s, and half of it is below the Smallest time step ("
               << smallest_step() << " s): " << reason);
     length         = failed / 2;
     n_until_growth = steps_after_cut;

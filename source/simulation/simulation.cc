@@ -62,7 +62,9 @@ namespace ephyra::simulation
                     !OutputFolder::holds_run(command_line.resume_folder),
                   InputError,
                   "The folder " << command_line.resume_folder
-                                << " holds no run that could be resumed.");
+                                << " holds no run that could be resumed; name "
+                                   "the folder of a run, or start one without "
+                                   "--resume.");
     prm.read_file(file);
     for (const std::string &assignment : command_line.overrides)
       prm.set_override(assignment);
@@ -207,7 +209,11 @@ namespace ephyra::simulation
           model->advance(time->time(), time->step_size());
         if (status.success)
           break;
-        EphyraThrowIf(!scene.cut_backs, DivergedError, status.reason);
+        EphyraThrowIf(
+          !scene.cut_backs,
+          DivergedError,
+          "Step " << time->n_steps() + 1 << " at time " << time->time()
+                  << " s failed (Time/Cut-backs is off): " << status.reason);
         saved.begin_reading();
         model->serialize(saved);
         model->forget();

@@ -1,106 +1,100 @@
 #!/usr/bin/env python3
-"""Bad input: one clean message with the remedy, from one rank, the exit code,
-and nothing overwritten; on one and on two ranks."""
+"""Errors in parameter files: one message that says where, what and what instead,
+exit code 1, and nothing is written."""
 
 import runs
 
-FLOW = runs.SCENES / "flow.prm"
-
 
 class BadInputTest(runs.SystemTest):
-    def check(self, parts, *arguments, code=1, unchanged=None):
-        """The program ends with this code and says each of the parts once; the
-        files of the folder `unchanged` (default: all) stay as they are."""
-        before = unchanged if unchanged is not None else self.files("")
+    def refuse(self, *arguments, parts):
+        """On 1 and 2 ranks, with the name of a folder that must not appear."""
         for ranks in (1, 2):
-            process = self.run_program(*arguments, ranks=ranks, code=code)
+            process = self.run_program(*arguments, "--output", "run", ranks=ranks, code=1)
             self.assert_refused(process, *parts)
-            for path, content in before.items():
-                self.assertEqual(path.read_bytes(), content, f"{path} has changed")
+            self.assertFalse((self.folder / "run").exists())
 
-    def check_parameters(self, parts, text, *arguments):
-        """The same for the text of a scene; nothing at all is written."""
-        scene = self.folder / "scene.prm"
-        scene.write_text(f"include {FLOW}\n{text}", encoding="utf-8")
-        before = self.files("")
-        self.check(parts, scene, "--output", "run", *arguments)
-        self.assertEqual(self.files(""), before)
-
-    def results(self):
-        """The files of a run but those that tell what was tried."""
-        return {path: content for path, content in self.files("run").items()
-                if path.name != "log.txt"}
+    def refuse_text(self, text, *parts):
+        (self.folder / "bad.prm").write_text(text, encoding="utf-8")
+        self.refuse("bad.prm", parts=parts)
 
     def test_misspelt_key(self):
-        self.check_parameters(
-            ["1 error in the parameters", "scene.prm:3", "Densty", 'did you mean "Density"'],
-            "subsection Fluid\n  set Densty = 1\nend\n")
+        self.refuse_text("subsection Fluid\n  set Densty = 998 kg/m^3\nend\n",
+                         "1 error in the parameters:",
+                         'bad.prm:2: Fluid/Densty = "998 kg/m^3": there is no such entry, '
+                         'did you mean "Density"?')
 
     def test_wrong_unit(self):
-        self.check_parameters(
-            ["1 error in the parameters", "scene.prm:3", "Fluid/Density", '"30 mm" is a length',
-             "allowed is a positive density in kg/m^3"],
-            "subsection Fluid\n  set Density = 30 mm\nend\n")
+        self.refuse_text("subsection Fluid\n  set Viscosity = 1 m\nend\n",
+                         'bad.prm:2: Fluid/Viscosity = "1 m": "1 m" is a length, but a dynamic '
+                         "viscosity is needed")
 
     def test_value_out_of_range(self):
-        self.check_parameters(
-            ["1 error in the parameters", "scene.prm:3", '"-1" is out of range'],
-            "subsection Fluid\n  set Density = -1\nend\n")
+        self.refuse_text("subsection Fluid\n  set Viscosity = -1 mPa s\nend\n",
+                         'bad.prm:2: Fluid/Viscosity = "-1 mPa s": "-1 mPa s" is out of range; '
+                         "allowed is a dynamic viscosity of at least 0 Pa s")
 
-    def test_two_errors_in_one_file(self):
-        self.check_parameters(
-            ["2 errors in the parameters", "scene.prm:3", "scene.prm:4", "Viscosty"],
-            "subsection Fluid\n  set Density = 0\n  set Viscosty = 1\nend\n")
+    def test_all_errors_are_reported(self):
+        self.refuse_text("subsection Fluid\n  set Densty = 3\n  set Viscosity = 1 m\nend\n",
+                         "2 errors in the parameters:", "bad.prm:2: Fluid/Densty",
+                         "bad.prm:3: Fluid/Viscosity")
 
     def test_contradictory_physics(self):
-        self.check_parameters(["a nerve net needs electrophysiology in Physics"], "",
-                              *runs.sets(Scene__Muscle="nerve net"))
-        self.check_parameters(["rigid bodies and elasticity exclude each other"], "",
-                              *runs.sets(Scene__Physics="flow, elasticity, rigid bodies"))
+        self.refuse_text("subsection Scene\n  set Physics = flow, rigid bodies, elasticity\nend\n",
+                         'bad.prm:2: Scene/Physics = "flow, rigid bodies, elasticity": rigid '
+                         "bodies and elasticity exclude each other; leave one of them out")
 
-    def test_command_line(self):
-        self.check(["unknown option --outputs"], FLOW, "--outputs", "x")
-        self.check(["missing.prm"], "missing.prm")
+    def test_only_one_periodic_side(self):
+        self.refuse_text("subsection Fluid\n  subsection Lower boundary\n"
+                         "    set Type = periodic\n  end\nend\n",
+                         'bad.prm:3: Fluid/Lower boundary/Type = "periodic": is periodic only '
+                         "together with the upper boundary: set both, or none")
 
-    def test_unwritable_output_folder(self):
-        self.check(['The output folder "/proc/run" cannot be made', "--output"],
-                   FLOW, "--output", "/proc/run")
-
-    def test_output_folder_that_holds_a_run(self):
-        self.run_scene("flow.prm", "run")
-        self.check(['"run" already holds a run', "--resume", "--output", "--overwrite"],
-                   FLOW, "--output", "run")
-        self.run_scene("flow.prm", "run", "--overwrite")
-
-    def test_folder_without_a_run(self):
-        self.check(["nothing"], "--resume", "nothing")
-
-    def test_truncated_checkpoints(self):
-        self.run_scene("flow.prm", "run")
-        for path in (self.folder / "run" / "checkpoints").iterdir():
-            path.write_bytes(path.read_bytes()[:1000])
-        self.check(["it is truncated or not an HDF5 file", "use another checkpoint"],
-                   "--resume", "run", unchanged=self.results())
-
-    def test_checkpoint_of_another_scene(self):
-        self.run_scene("flow.prm", "run")
-        self.check(["it belongs to another scene", "set Density = 1000", "set Density = 900",
-                    "resume with the scene that wrote it"],
-                   "--resume", "run", *runs.sets(Fluid__Density="900"),
-                   unchanged=self.results())
-        # The refused values are not kept.
-        self.run_program("--resume", "run")
+    def test_impossible_grid(self):
+        self.refuse_text("subsection Fluid\n  subsection Grid\n"
+                         "    set Radial breakpoints = 0 m, 2 m, 1 m\n  end\nend\n",
+                         "bad.prm:3: Fluid/Grid/Radial breakpoints", "must increase")
 
     def test_body_outside_of_the_grid(self):
-        self.check(["The body 'sphere' reaches", "move the body or enlarge the grid"],
-                   runs.SCENES / "sphere.prm", "--output", "run", "--overwrite",
-                   *runs.sets(Rigid_body_sphere__Position="-1 m"))
+        self.refuse(runs.SCENES / "swim.prm", *runs.sets(Body__Axial_position="1 m"),
+                    parts=('--set: Body/Axial position = "1 m": The bell reaches (r, y) = ',
+                           "move the body or enlarge the grid"))
 
-    def test_run_that_diverges(self):
-        for cut_backs in ("true", "false"):
-            self.check(["not finite"], FLOW, "--output", "run", "--overwrite", *runs.sets(
-                Fluid__Initial_axial_velocity="1e6*sin(10*r)*sin(20*y)",
-            ), "--set", f"Time/Cut-backs = {cut_backs}", code=2, unchanged={})
+    def test_rigid_body_outside_of_the_grid(self):
+        self.refuse(runs.SCENES / "sphere.prm",
+                    *runs.sets(Rigid_body_sphere__Position="93 mm"),
+                    parts=("Rigid body sphere/Position", "The body 'sphere' reaches (r, y) = ",
+                           "3 cells inside of the flow grid [0, 0.05] x [0, 0.096] m"))
+
+    def test_coupling_that_fits_neither_density_nor_time_scheme(self):
+        self.refuse(runs.SCENES / "swim.prm",
+                    *runs.sets(Coupling__Scheme="forcing as load",
+                               Elasticity__Density="900 kg/m^3", Fluid__Time_scheme="rk3"),
+                    parts=("2 errors in the parameters:",
+                           "the body has 900 kg/m^3 and the fluid 1000; set Scheme = fixed point",
+                           "set Time scheme = ab2, or Coupling/Scheme = sequential"))
+
+    def test_files_that_are_none(self):
+        (self.folder / "folder.prm").mkdir()
+        (self.folder / "empty.prm").touch()
+        for name, message in (("missing.prm", 'the parameter file "missing.prm" does not exist'),
+                              ("folder.prm", 'the parameter file "folder.prm" is a folder'),
+                              ("empty.prm", 'the parameter file "empty.prm" sets nothing')):
+            with self.subTest(name):
+                self.refuse(name, parts=(message,))
+
+    def test_command_line(self):
+        process = self.run_program("a.prm", "b.prm", "--outptu", "x", code=1)
+        self.assert_refused(process, "Command line:", "unknown option --outptu (see --help)",
+                            "one parameter file at a time can be run, 3 were given")
+
+    def test_sections_without_effect_are_told(self):
+        process = self.run_program(
+            "--validate", runs.SCENES / "sphere.prm",
+            *runs.sets(Elasticity__Density="1100 kg/m^3", Coupling__Tolerance="1e-4"))
+        self.assertIn('Warning: The section "Elasticity" has no effect: elasticity is not in '
+                      "Scene/Physics.", process.stdout)
+        self.assertIn('Warning: The section "Coupling" has no effect', process.stdout)
+        self.assertNotIn('"Fluid" has no effect', process.stdout)
 
 
 if __name__ == "__main__":

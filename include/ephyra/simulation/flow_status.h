@@ -5,9 +5,9 @@
 
 namespace ephyra::simulation
 {
-  /// Whether the velocity after a step of length @p dt (s) is finite. @p cfl is
-  /// the largest CFL number of the last good step and becomes that of this one.
-  /// Collective.
+  /// Whether the velocity after a step of length @p dt (s) is finite and not
+  /// absurd. @p cfl is the largest CFL number of the last good step and becomes
+  /// that of this one. Collective.
   StepStatus
   flow_status(const fluid::FlowSolver &flow, double dt, double &cfl);
 } // namespace ephyra::simulation

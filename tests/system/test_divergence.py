@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Runs that fail on purpose end with one message that has a remedy, exit code 2,
+and a checkpoint of the last good step; and the shipped scene in which sequential
+coupling diverges while the implicit schemes hold."""
+
+import numpy
+
+import runs
+
+SHIPPED = runs.ROOT / "parameters/coupling/sequential_diverges.prm"
+COARSE = runs.sets(Output__Progress_interval=0)
+
+
+class DivergenceTest(runs.SystemTest):
+    def diverge(self, scene, *options, parts):
+        for ranks in (1, 2):
+            process = self.run_program(scene, "--output", "run", "--overwrite", "--quiet",
+                                       *options, ranks=ranks, code=2)
+            self.assert_refused(process, *parts)
+            log = (self.folder / "run/log.txt").read_text(encoding="utf-8")
+            self.assertIn("Diverged after step", log)
+            self.assertTrue(numpy.isfinite(self.table("run").values).all())
+
+    def last_step(self):
+        return int(self.table("run")["step [-]"][-1])
+
+    def test_body_leaving_the_grid(self):
+        self.diverge(runs.SCENES / "swim.prm",
+                     *runs.sets(Body__Axial_position="69 mm",
+                                Elasticity__Axial_body_force="2e4 N/m^3"),
+                     parts=("Body 'body' has left the flow grid at (r, y) = ",
+                            "enlarge it or end the run earlier."))
+        checkpoint = f"run/checkpoints/checkpoint_{self.last_step():09d}.h5"
+        self.assertTrue((self.folder / checkpoint).exists())
+
+    def test_flow_with_a_huge_velocity(self):
+        for cut_backs in ("true", "false"):
+            self.diverge(runs.SCENES / "flow.prm",
+                         *runs.sets(Fluid__Initial_axial_velocity="1e6*sin(10*r)*sin(20*y)"),
+                         "--set", f"Time/Cut-backs = {cut_backs}",
+                         parts=("The flow has become unstable (CFL number",
+                                "run the scene with a smaller Time/Time step."))
+
+    def test_body_that_folds(self):
+        self.diverge(runs.SCENES / "swim.prm",
+                     *runs.sets(Fluid__Initial_axial_velocity="1000*exp(-(r/0.01)^2)"),
+                     parts=("below the Smallest time step", "elasticity at t = "))
+
+    def test_sequential_coupling(self):
+        self.diverge(SHIPPED, *COARSE,
+                     parts=("the sequential scheme is unstable at any time step where the added "
+                            "mass of the fluid exceeds the mass of the body: use Coupling/Scheme "
+                            "= forcing as load or fixed point.",))
+        self.assertLess(self.last_step(), 80)
+
+    def test_implicit_coupling_holds(self):
+        moved = []
+        for scheme in ("forcing as load", "fixed point"):
+            self.run_program(SHIPPED, "--output", scheme, "--quiet", *COARSE,
+                             *runs.sets(Coupling__Scheme=scheme))
+            table = self.table(scheme)
+            self.assertEqual(table["step [-]"][-1], 800)
+            self.assertTrue(numpy.isfinite(table.values).all())
+            self.assertEqual(self.table(scheme, "result.csv")["repeated steps [-]"][0], 0)
+            self.assertLess(table["coupling iterations [-]"].max(), 10)
+            moved.append(table["centre of mass y [m]"][-1] - table["centre of mass y [m]"][0])
+            self.assertGreater(table["drop of margin diameter [-]"].max(), 0.15)
+        # A swim, and about the same one: on so coarse a grid the loads differ.
+        self.assertGreater(min(moved), 1e-3)
+        self.assertLess(max(moved), 2 * min(moved))
+
+
+if __name__ == "__main__":
+    runs.main()
