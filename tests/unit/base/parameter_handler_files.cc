@@ -52,8 +52,8 @@ BOOST_AUTO_TEST_CASE(errors_of_included_files)
                     begin = "1 error in the parameters:\n  ";
   BOOST_TEST(error(none) ==
              begin + "the parameter file \"" + none + "\" does not exist");
-  BOOST_TEST(error(folder.path) == begin + "the parameter file \"" +
-                                     folder.path + "\" is a folder");
+  BOOST_TEST(error(folder.path) ==
+             begin + "the parameter file \"" + folder.path + "\" is a folder");
   const std::string missing = folder.write("missing.prm", "\ninclude none.prm");
   BOOST_TEST(error(missing) == begin + missing +
                                  ":2: include: the parameter file \"" + none +

@@ -130,12 +130,12 @@ BOOST_AUTO_TEST_CASE(below_the_smallest_step_the_run_ends)
   TimeControl control(small);
   control.accept_step();
   control.cut_step("reason A");
-  BOOST_TEST(testing::message_of<DivergedError>([&control] {
-               control.cut_step("the load does not converge");
-             }) ==
-             "Step 2 at time 0.1 s failed with a time step of 0.05 s, and half "
-             "of it is below the Smallest time step (0.05 s): the load does not "
-             "converge");
+  BOOST_TEST(
+    testing::message_of<DivergedError>([&control] {
+      control.cut_step("the load does not converge");
+    }) == "Step 2 at time 0.1 s failed with a time step of 0.05 s, and half "
+          "of it is below the Smallest time step (0.05 s): the load does not "
+          "converge");
   BOOST_TEST(testing::message_of<DivergedError>([&control] {
                control.limit_step_size(0.01, "the flow is fast");
              }) ==
