@@ -56,6 +56,18 @@ class RestartTest(runs.SystemTest):
     def test_sinking_sphere(self):
         self.check("sphere.prm", series=("flow",))
 
+    def test_swim_with_a_distributed_body(self):
+        self.check("swim.prm", *runs.sets(Scene__Distributed_body_from=0), series=("body",))
+
+    def test_body_in_vacuum(self):
+        self.check("swim.prm", *runs.sets(Scene__Physics="electrophysiology, elasticity"),
+                   series=("body",))
+
+    def test_tissue_alone(self):
+        self.check("swim.prm", *runs.sets(Scene__Physics="electrophysiology",
+                                          Scene__Muscle="none"), series=())
+        self.assertGreater(self.table("whole")["largest potential [V]"].max(), 0.02)
+
     def test_a_finished_run_has_nothing_left(self):
         self.run_scene("sphere.prm", "run")
         before = self.files("run")

@@ -77,6 +77,25 @@ BOOST_AUTO_TEST_CASE(a_run_is_not_overwritten_by_accident)
   BOOST_TEST(OutputFolder::holds_run(request.name));
 }
 
+BOOST_AUTO_TEST_CASE(a_check_changes_nothing)
+{
+  const testing::TemporaryFolder folder;
+  OutputFolder                   request;
+  request.name = folder.file("case");
+  request.check(MPI_COMM_WORLD);
+  BOOST_TEST(!fs::exists(request.name));
+  MPI_Barrier(MPI_COMM_WORLD);
+  request.create(MPI_COMM_WORLD);
+  folder.write("case/statistics.csv", "precious");
+  BOOST_TEST(testing::message_of<InputError>([&request] {
+               request.check(MPI_COMM_WORLD);
+             }).find("already holds a run") != std::string::npos);
+  MPI_Barrier(MPI_COMM_WORLD);
+  request.overwrite = true;
+  request.check(MPI_COMM_WORLD);
+  BOOST_TEST(fs::exists(folder.file("case/statistics.csv")));
+}
+
 BOOST_AUTO_TEST_CASE(other_folders_are_left_alone)
 {
   const testing::TemporaryFolder folder;

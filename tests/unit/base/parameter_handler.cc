@@ -31,6 +31,8 @@ BOOST_AUTO_TEST_CASE(values_are_read_in_si)
   BOOST_TEST(prm.get_double("End time") == 2.5);
   BOOST_TEST(prm.get("End time") == "2500 ms");
   BOOST_TEST(prm.origin("End time") == "a.prm:2");
+  BOOST_TEST(prm.any_is_set("Fluid"));
+  BOOST_TEST(!prm.any_is_set("Solid"));
   ParameterHandler::Section fluid(prm, "Fluid");
   BOOST_TEST(prm.get_double("Density") == 1100.);
   BOOST_TEST(prm.get_double("Viscosity") == 1e-3);
