@@ -153,8 +153,24 @@ namespace ephyra::fluid
   }
 
   void
+  FlowSolver::check_time_step(const double dt) const
+  {
+    EphyraThrowIf(parameters.viscous == ViscousTreatment::explicit_ &&
+                    dt > viscous_time_step_limit() * (1. + 1e-9),
+                  InputError,
+                  "The time step "
+                    << dt
+                    << " s of the flow exceeds the limit of explicit "
+                       "viscosity, "
+                    << viscous_time_step_limit()
+                    << " s: choose a smaller step or set \"Viscous "
+                       "terms\" to automatic.");
+  }
+
+  void
   FlowSolver::choose_viscous_treatment()
   {
+    check_time_step(time_step);
     ImplicitDirections chosen;
     const double       nu    = parameters.kinematic_viscosity();
     const double       limit = real_axis_limit(parameters.scheme);
@@ -165,15 +181,6 @@ namespace ephyra::fluid
     switch (parameters.viscous)
       {
       case ViscousTreatment::explicit_:
-        EphyraThrowIf(number_r + number_y > limit,
-                      InputError,
-                      "The time step "
-                        << time_step
-                        << " s of the flow exceeds the limit of explicit "
-                           "viscosity, "
-                        << viscous_time_step_limit()
-                        << " s: choose a smaller step or set \"Viscous "
-                           "terms\" to automatic.");
         break;
       case ViscousTreatment::implicit:
         chosen.r = chosen.y = nu > 0;

@@ -11,6 +11,7 @@ namespace ephyra::simulation
         scene.flow_sampling, scene.immersed_boundary, flow->grid()))
   {
     using immersed_boundary::RigidBody;
+    flow->check_time_step(scene.time.time_step);
     if (!scene.rigid_bodies)
       {
         flow->keep_predicted(false);

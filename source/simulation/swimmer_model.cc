@@ -10,6 +10,7 @@ namespace ephyra::simulation
   {
     const geometry::BodyPatch shape = geometry::create_body(scene.body);
     flow = std::make_unique<fluid::FlowSolver>(scene.fluid, comm);
+    flow->check_time_step(scene.time.time_step);
     body = build_body(scene, shape, comm);
     std::vector<splines::Side> wet_sides;
     // The ends of a periodic body do not touch the flow.

@@ -42,6 +42,9 @@ class BadFoldersTest(runs.SystemTest):
         self.refuse(SPHERE, "--output", "run", "--overwrite",
                     *runs.sets(Rigid_body_sphere__Position="1 m"),
                     parts=("move the body or enlarge the grid",))
+        self.refuse(SPHERE, "--output", "run", "--overwrite",
+                    *runs.sets(Fluid__Viscous_terms="explicit", Fluid__Viscosity="10 Pa s"),
+                    parts=("exceeds the limit of explicit viscosity",))
         self.run_program(SPHERE, "--output", "run", "--overwrite", "--quiet",
                          *runs.sets(Time__Number_of_steps=2))
         self.assertEqual(len(self.table("run").values), 3)

@@ -50,6 +50,10 @@ namespace ephyra::fluid
     }
 
     // --- one step ---------------------------------------------------------
+    /// Throws InputError where viscosity has to be explicit and the step (s)
+    /// is too long for that; begin_step() does so too.
+    void
+    check_time_step(double dt) const;
     /// From t to t + dt, s.
     void
     begin_step(double t, double dt);
