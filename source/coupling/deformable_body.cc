@@ -1,6 +1,6 @@
 #include "ephyra/coupling/deformable_body.h"
 
-
+#include "ephyra/splines/control_vector.h"
 
 namespace ephyra::coupling
 {
@@ -13,11 +13,7 @@ namespace ephyra::coupling
     , solver(parameters, patch, solver_comm)
     , kinematics(patch)
   {
-    for (const splines::Point &p : patch.control_points())
-      {
-        reference.push_back(p.r);
-        reference.push_back(p.y);
-      }
+    reference = splines::control_vector(patch);
   }
 
   void

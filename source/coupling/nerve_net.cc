@@ -2,6 +2,7 @@
 
 #include "ephyra/base/log.h"
 #include "ephyra/base/timer_tree.h"
+#include "ephyra/splines/control_vector.h"
 
 #include <algorithm>
 
@@ -31,11 +32,7 @@ namespace ephyra::coupling
     , line_of_patch(nested.parent_field(solver.metric_points()))
     , to_mechanics(nested.patch(), as_parameters(activation_points))
   {
-    for (const splines::Point &p : patch.control_points())
-      {
-        reference.push_back(p.r);
-        reference.push_back(p.y);
-      }
+    reference = splines::control_vector(patch);
     sample_activation(0.);
     log().line("Nerve net: " + std::to_string(solver.n_control_points()) +
                " control points");

@@ -1,5 +1,7 @@
 #include "ephyra/coupling/wet_surface.h"
 
+#include "ephyra/splines/control_vector.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,19 +15,6 @@ namespace ephyra::coupling
     /// flow in one forcing sweep (their stencils are three cells wide); the
     /// rest is a margin for repeated sweeps and deformation.
     constexpr double coupling_reach = 4.5;
-
-    std::vector<double>
-    control_vector(const splines::NurbsPatch<2> &patch)
-    {
-      std::vector<double> x;
-      x.reserve(2 * patch.control_points().size());
-      for (const splines::Point &p : patch.control_points())
-        {
-          x.push_back(p.r);
-          x.push_back(p.y);
-        }
-      return x;
-    }
 
     std::vector<immersed_boundary::BoundaryCurve>
     curves(const splines::NurbsPatch<2>     &patch,
@@ -52,7 +41,7 @@ namespace ephyra::coupling
     , grid(flow.grid())
     , density(flow.density())
     , the_markers(std::make_unique<Markers>(curves(patch, wet_sides),
-                                            control_vector(patch),
+                                            splines::control_vector(patch),
                                             flow.grid(),
                                             parameters))
     , forcing(std::make_unique<immersed_boundary::DirectForcing>(flow.grid(),
@@ -63,7 +52,7 @@ namespace ephyra::coupling
   {
     assemble_shape();
     const std::vector<double> rest(2 * n_control_points, 0.);
-    set_geometry({control_vector(patch), rest, rest});
+    set_geometry({splines::control_vector(patch), rest, rest});
   }
 
   void

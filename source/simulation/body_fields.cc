@@ -1,15 +1,13 @@
 #include "ephyra/simulation/body_fields.h"
 
+#include "ephyra/splines/control_vector.h"
+
 namespace ephyra::simulation
 {
   BodyFields::BodyFields(const splines::NurbsPatch<2> &patch)
     : extraction(patch)
   {
-    for (const splines::Point &p : patch.control_points())
-      {
-        reference.push_back(p.r);
-        reference.push_back(p.y);
-      }
+    reference = splines::control_vector(patch);
   }
 
   BezierOutput

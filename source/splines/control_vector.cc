@@ -1,0 +1,17 @@
+#include "ephyra/splines/control_vector.h"
+
+namespace ephyra::splines
+{
+  std::vector<double>
+  control_vector(const NurbsPatch<2> &patch)
+  {
+    std::vector<double> x;
+    x.reserve(2 * patch.control_points().size());
+    for (const Point &p : patch.control_points())
+      {
+        x.push_back(p.r);
+        x.push_back(p.y);
+      }
+    return x;
+  }
+} // namespace ephyra::splines
