@@ -20,6 +20,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BINARY = os.environ.get("EPHYRA_BINARY", str(ROOT / "build" / "ephyra-binary"))
 sys.path.insert(0, str(ROOT / "postprocess"))
+import study
 import sweep
 
 # Programs of the system, and what they are used for here.
@@ -90,17 +91,17 @@ def check_run(arguments):
 
 def check_sweep(arguments):
     options = sweep.parse_arguments(["--binary", BINARY, *arguments])
-    check_file(options.file)
-    axes = [sweep.parse_axis(text) for text in options.vary]
-    axes += [sweep.parse_axis(options.refine)] if options.refine else []
-    for values in sweep.make_cases(axes).values():
-        sets = [f"{entry} = {value}" for entry, value in values.items()] + options.set
-        call_binary("--validate", options.file,
+    options.file = str(ROOT / options.file)
+    one = study.make_study(options)
+    for values in one.cases.values():
+        sets = one.settings + [f"{entry} = {value}" for entry, value in values.items()]
+        call_binary("--validate", str(one.scene),
                     *[word for text in sets for word in ("--set", text)])
 
 
 def check_plot(arguments):
-    source = (ROOT / "postprocess" / "plot_run.py").read_text(encoding="utf-8")
+    script = "plot_table.py" if arguments and arguments[0].endswith(".csv") else "plot_run.py"
+    source = (ROOT / "postprocess" / script).read_text(encoding="utf-8")
     for word in arguments:
         if word.startswith("--") and f'"{word}"' not in source:
             raise Wrong(f"unknown option {word}")
@@ -173,7 +174,7 @@ def main():
             n_commands += 1
             try:
                 check(command)
-            except (Wrong, sweep.UsageError, SystemExit) as error:
+            except (Wrong, study.UsageError, SystemExit) as error:
                 wrong.append(f"{name}:{number}: {command}\n  {error}")
         wrong += [f"{name}: the link to {target} leads nowhere" for target in broken_links(path)]
     for text in wrong:

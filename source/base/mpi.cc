@@ -1,5 +1,7 @@
 #include "ephyra/base/mpi.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 
 namespace ephyra::mpi
@@ -57,6 +59,17 @@ namespace ephyra::mpi
   sum(const long long value, const MPI_Comm comm)
   {
     return reduce(value, MPI_LONG_LONG, MPI_SUM, comm);
+  }
+
+  double
+  cpu_time(const MPI_Comm comm)
+  {
+    rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval &t) {
+      return static_cast<double>(t.tv_sec) + 1e-6 * t.tv_usec;
+    };
+    return sum(seconds(usage.ru_utime) + seconds(usage.ru_stime), comm);
   }
 
   bool

@@ -52,6 +52,12 @@ namespace ephyra::simulation
   }
 
   void
+  BodyModel::add_results(Record &record) const
+  {
+    record.add("body unknowns [-]", body->n_unknowns());
+  }
+
+  void
   BodyModel::forget()
   {
     body->mechanics().forget();

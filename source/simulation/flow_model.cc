@@ -91,6 +91,7 @@ namespace ephyra::simulation
   void
   FlowModel::add_results(Record &record) const
   {
+    record.add("flow cells [-]", flow->n_cells());
     probes->add_results(*flow, record);
   }
 

@@ -52,6 +52,7 @@ namespace ephyra::simulation
     : command_line(command_line)
     , comm(comm)
     , start(MPI_Wtime())
+    , start_cpu(mpi::cpu_time(comm))
   {
     Scene::declare(prm);
     const bool        resumes = !command_line.resume_folder.empty();
@@ -288,6 +289,7 @@ namespace ephyra::simulation
     record.add("steps [-]", static_cast<double>(time->n_steps()));
     record.add("repeated steps [-]", static_cast<double>(time->n_cuts()));
     record.add("wall time [s]", wall);
+    record.add("cpu time [s]", mpi::cpu_time(comm) - start_cpu);
     model->add_results(record);
     output->write_result(record);
 

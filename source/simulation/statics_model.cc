@@ -84,6 +84,7 @@ namespace ephyra::simulation
   void
   StaticsModel::add_results(Record &record) const
   {
+    record.add("body unknowns [-]", solver->body().n_unknowns());
     record.add("load level [-]", result.level);
     record.add("load steps [-]", result.steps);
     record.add("cut-backs [-]", result.cut_backs);

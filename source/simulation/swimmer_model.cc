@@ -104,6 +104,8 @@ namespace ephyra::simulation
   void
   SwimmerModel::add_results(Record &record) const
   {
+    record.add("flow cells [-]", flow->n_cells());
+    record.add("body unknowns [-]", body->n_unknowns());
     flow_probes->add_results(*flow, record);
   }
 

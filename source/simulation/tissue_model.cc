@@ -104,6 +104,7 @@ namespace ephyra::simulation
   void
   TissueModel::add_results(Record &record) const
   {
+    record.add("nerve net unknowns [-]", solver->n_control_points());
     for (std::size_t p = 0; p < crossing_probes.size(); ++p)
       {
         const auto &times = solver->crossing_times(crossing_probes[p]);

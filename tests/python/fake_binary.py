@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """Stands in for ephyra-binary: result.csv with f(h) = 3 + 5 h^2, h = 1/Cells.
+A run says that it took 2 s and 3 s of processor time; a slow one, 1.5 s and
+2.5 s before its checkpoint.
 
 Model/Behaviour: `good`, `diverges`, `bad input`, or `slow`, which waits for
 SIGUSR1, leaves a checkpoint and is done when resumed."""
@@ -38,10 +40,11 @@ if behaviour == "slow" and not resumed:
     signal.pause()
     (folder / "checkpoints").mkdir()
     (folder / "checkpoints" / "checkpoint_000000001.h5").touch()
+    (folder / "result.csv").write_text("wall time [s],cpu time [s]\n1.5,2.5\n")
     sys.exit(3)
 
 time.sleep(0.01)
 h = 1 / float(values["Model/Cells"])
 (folder / "result.csv").write_text(
-    "drag [N],constant [1],error of speed [m/s],name\n"
-    f"{3 + 5 * h**2},1,{0.1 * h**3},text\n")
+    "wall time [s],cpu time [s],drag [N],constant [1],error of speed [m/s],name\n"
+    f"2,3,{3 + 5 * h**2},1,{0.1 * h**3},text\n")

@@ -1,4 +1,4 @@
-"""The sweep: cases, resuming, the table, and observed orders."""
+"""The sweep: runs, resuming, the table, and observed orders."""
 
 import contextlib
 import csv
@@ -15,49 +15,9 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "postprocess"))
-import convergence
 import sweep
 
 FAKE = pathlib.Path(__file__).with_name("fake_binary.py")
-
-
-class Convergence(unittest.TestCase):
-    def test_three_grids(self):
-        for h, p in (([4, 2, 1], 2.0), ([1, 0.5, 0.25], 1.0), ([1, 0.6, 0.4], 3.5)):
-            order, limit = convergence.three_grid_order(h, [7 - 0.3 * s**p for s in h])
-            self.assertAlmostEqual(order, p, places=8)
-            self.assertAlmostEqual(limit, 7, places=8)
-
-    def test_no_order_where_there_is_none(self):
-        self.assertEqual(convergence.three_grid_order([4, 2, 1], [1, 3, 2]), (None, None))
-        self.assertEqual(convergence.three_grid_order([4, 2, 1], [1, 1, 1]), (None, None))
-        self.assertEqual(convergence.order_of_errors([2, 1], [0.1, 0]), [None])
-
-    def test_mesh_sizes(self):
-        self.assertEqual(convergence.mesh_sizes(["2", "4"]), [0.5, 0.25])
-        self.assertEqual(convergence.mesh_sizes(["2 ms", "1 ms"]), [2, 1])
-        for values in (["1 ms", "1 s"], ["1", "3", "2"], ["1", "1"]):
-            with self.assertRaises(ValueError):
-                convergence.mesh_sizes(values)
-
-
-class Cases(unittest.TestCase):
-    def test_product_and_together(self):
-        axes = [sweep.parse_axis("A/x = 1, 2"), sweep.parse_axis("B/y = a|b, c; B/z = 3|4")]
-        cases = list(sweep.make_cases(axes).values())
-        self.assertEqual(len(cases), 4)
-        self.assertEqual(cases[1], {"A/x": "1", "B/y": "b, c", "B/z": "4"})
-
-    def test_names_are_distinct(self):
-        axes = [sweep.parse_axis("A/x = 1 mm, 2 mm"), sweep.parse_axis("B/x = 1 mm, 2 mm")]
-        self.assertEqual(len(sweep.make_cases(axes)), 4)
-
-    def test_errors(self):
-        for text in ("A/x", "A/x = ", "A/x = 1, 2; B/y = 1", "A/x = 1; A/x = 2"):
-            with self.assertRaises(sweep.UsageError):
-                sweep.parse_axis(text)
-        with self.assertRaises(sweep.UsageError):
-            sweep.make_cases([sweep.parse_axis("A/x = 1, 1")])
 
 
 class Runs(unittest.TestCase):
@@ -110,6 +70,38 @@ class Runs(unittest.TestCase):
                                    "--reference", "drag [N] = 2")
         # Errors against 2 are 6 and 2.25.
         self.assertIn(f"order (reference) {math.log(6 / 2.25) / math.log(2):.2f}", screen)
+        self.assertEqual([float(row["relative error of drag [-]"]) for row in self.table()],
+                         [3, 1.125])
+
+    def test_study_file(self):
+        study = self.folder / "some.study"
+        study.write_text("""scene scene.prm
+            reference drag [N] = last of fine
+            column drag
+            series coarse
+            refine Model/Cells = 1, 2
+            series fine
+            refine Model/Cells = 2, 4
+            """)
+        arguments = self.command()
+        arguments[0] = str(study)
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(sweep.main(arguments), 0)
+            study.write_text(study.read_text().replace("2, 4", "2, 4, 8"))
+            self.assertEqual(sweep.main(arguments), 0)
+        table = self.table()
+        self.assertEqual(list(table[0]), [
+            "series", "Model/Cells", "drag [N]", "relative error of drag [-]", "steps [-]",
+            "wall time [s]", "cpu time [s]", "exit code"])
+        self.assertEqual([(row["series"], row["Model/Cells"]) for row in table],
+                         [("coarse", "1"), ("coarse", "2"), ("fine", "2"), ("fine", "4"),
+                          ("fine", "8")])
+        exact = 3 + 5 / 64
+        for row in table:
+            self.assertAlmostEqual(float(row["relative error of drag [-]"]),
+                                   float(row["drag [N]"]) / exact - 1)
+        self.assertEqual(self.calls(), {f"Cells={n}": ["started"] for n in (1, 2, 4, 8)})
+        self.assertEqual([row["case"] for row in self.table("orders.csv")], ["coarse", "fine"])
 
     def test_report_of_some_columns(self):
         self.run_sweep("--refine", "Model/Cells = 1, 2, 4", "--column", "drag")
@@ -147,6 +139,8 @@ class Runs(unittest.TestCase):
         code, _ = self.run_sweep("--vary", "Model/Behaviour = slow, good")
         self.assertEqual(code, 0)
         self.assertEqual(self.calls()["Behaviour=slow"], ["started", "resumed"])
+        self.assertEqual([(row["wall time [s]"], row["cpu time [s]"]) for row in self.table()],
+                         [("3.5", "5.5"), ("2.0", "3.0")])
 
     def test_another_scene_is_refused(self):
         self.run_sweep("--vary", "Model/Cells = 1")

@@ -23,6 +23,10 @@ namespace ephyra::mpi
   long long
   sum(long long value, MPI_Comm comm);
 
+  /// Processor time of all ranks so far, user and system, s; collective.
+  double
+  cpu_time(MPI_Comm comm);
+
   /// Whether the condition holds on at least one rank; collective. Decisions
   /// that change the control flow (cut a step, stop) go through this.
   bool

@@ -113,6 +113,12 @@ namespace ephyra::fluid
     set_initial_velocity(const Component &radial, const Component &axial);
 
     // --- status -----------------------------------------------------------
+    /// Cells of the whole grid.
+    double
+    n_cells() const
+    {
+      return static_cast<double>(the_grid.r.n_cells) * the_grid.y.n_cells;
+    }
     /// max(|v_r|/dr + |v_y|/dy) dt; not finite where the fields are not.
     /// Collective.
     double
@@ -149,11 +155,6 @@ namespace ephyra::fluid
     {
       double alpha, beta, gamma, end; ///< end: time of the end over dt
     };
-    double
-    n_cells() const
-    {
-      return static_cast<double>(the_grid.r.n_cells) * the_grid.y.n_cells;
-    }
     StageCoefficients
     stage(unsigned int k) const;
     void

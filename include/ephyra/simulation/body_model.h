@@ -26,6 +26,8 @@ namespace ephyra::simulation
     void
     write_fields(double time, RunOutput &output) override;
     void
+    add_results(Record &record) const override;
+    void
     forget() override;
 
   private:

@@ -56,7 +56,8 @@ namespace ephyra::simulation
     ParameterHandler                 prm;
     Scene                            scene;
     std::string                      folder;
-    double                           start; ///< wall time
+    double                           start;     ///< wall time, s
+    double                           start_cpu; ///< of all ranks, s
     std::unique_ptr<Model>           model;
     std::unique_ptr<TimeControl>     time;
     std::unique_ptr<RunOutput>       output;

@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""Draws the table of a sweep: error against work, both logarithmic, one line for
+each series. Series named "GROUP: LABEL" share a panel for each group. Full marks
+are values too large, open ones values too small."""
+
+import argparse
+import csv
+import math
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+from matplotlib.ticker import LogLocator, NullFormatter
+
+MARKERS = "osD^vP*Xh<>d"
+
+
+class Wrong(Exception):
+    """What the user has to change."""
+
+
+def read_table(path):
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    except FileNotFoundError:
+        raise Wrong(f"the file {path} does not exist") from None
+    if not rows:
+        raise Wrong(f"{path} has no rows")
+    return rows
+
+
+def find_columns(rows, wanted, kind):
+    """The columns of those names or, failing that, that hold one of the texts."""
+    names = list(rows[0])
+    found = [n for n in names if n in wanted] or [n for n in names
+                                                  if any(text in n for text in wanted)]
+    if not found:
+        raise Wrong(f"no column for {kind} holds '{', '.join(wanted)}'; there are "
+                    f"{', '.join(names)}")
+    return found
+
+
+def number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
+def curves(rows, x, y):
+    """{group: {label: [(x, y)]}} in the order of the table; gaps left out."""
+    groups = {}
+    for row in rows:
+        group, colon, label = row.get("series", "").partition(": ")
+        if not colon:
+            group, label = "", group
+        points = groups.setdefault(group, {}).setdefault(label, [])
+        at, value = number(row[x]), number(row[y])
+        if at > 0 and math.isfinite(value) and value != 0:
+            points.append((at, value))
+    return groups
+
+
+def draw(axis, lines):
+    for k, (label, points) in enumerate(lines.items()):
+        if not points:
+            continue
+        color, marker = f"C{k % 10}", MARKERS[k % len(MARKERS)]
+        axis.plot([p[0] for p in points], [abs(p[1]) for p in points], color=color,
+                  linewidth=1)
+        for sign, face in ((1, color), (-1, "white")):
+            some = [p for p in points if sign * p[1] > 0]
+            axis.plot([p[0] for p in some], [abs(p[1]) for p in some], marker, color=color,
+                      markerfacecolor=face, markersize=5, linestyle="none")
+        axis.plot([], [], color=color, marker=marker, markersize=5, linewidth=1,
+                  label=label or "sweep")
+    axis.set_xscale("log")
+    axis.set_yscale("log")
+    for scale in (axis.xaxis, axis.yaxis):
+        scale.set_minor_locator(LogLocator(subs=range(2, 10)))
+        scale.set_minor_formatter(NullFormatter())
+    axis.grid(alpha=0.3)
+
+
+def plot(rows, x, columns, path):
+    """A panel for each group of each column; all panels of a column share y."""
+    panels = [(y, group, lines) for y in columns for group, lines in curves(rows, x, y).items()]
+    n_groups = len(panels) // len(columns)
+    n_columns = 2 if n_groups in (2, 4) else min(3, len(panels))
+    n_rows = math.ceil(len(panels) / n_columns)
+    figure, axes = plt.subplots(n_rows, n_columns, squeeze=False, sharex=True,
+                                layout="constrained",
+                                figsize=(1 + 3.9 * n_columns, 0.5 + 3.6 * n_rows))
+    first = {}  # axis of each column
+    for axis, (y, group, lines) in zip(axes.flat, panels):
+        if y in first:
+            axis.sharey(first[y])
+        first.setdefault(y, axis)
+        draw(axis, lines)
+        axis.set_title(group, fontsize="medium")
+        axis.tick_params(labelbottom=True)
+        axis.set_xlabel(x)
+        axis.set_ylabel(y, fontsize="small")
+        axis.legend(fontsize="small", loc="upper center", bbox_to_anchor=(0.5, -0.17),
+                    ncols=2, frameon=False)
+    for axis in axes.flat[len(panels):]:
+        axis.set_visible(False)
+    figure.savefig(path, dpi=100)
+    plt.close(figure)
+    print(f"plot: {path}")
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="ephyra plot", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("table", help="table.csv of a sweep")
+    parser.add_argument("--x", default="cpu time [s]", metavar="COLUMN",
+                        help="column of the work (default: cpu time [s])")
+    parser.add_argument("--y", action="append", default=[], metavar="TEXT",
+                        help="columns of the error, named in full or in part; repeatable "
+                        "(default: all errors against references)")
+    parser.add_argument("--output", metavar="FILE",
+                        help="the picture (default: beside the table, as PNG)")
+    options = parser.parse_args(arguments)
+    table = pathlib.Path(options.table)
+    try:
+        rows = read_table(table)
+        x = find_columns(rows, [options.x], "--x")[0]
+        columns = find_columns(rows, options.y or ["error of"], "--y")
+        plot(rows, x, columns, options.output or table.with_suffix(".png"))
+    except Wrong as error:
+        print(f"plot: {error}.", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
