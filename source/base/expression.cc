@@ -18,6 +18,12 @@ namespace ephyra
     }
 
     double
+    error_function(const double x)
+    {
+      return std::erf(x);
+    }
+
+    double
     bessel_j0(const double x)
     {
       return std::cyl_bessel_j(0., std::abs(x));
@@ -55,6 +61,7 @@ namespace ephyra
         {
           parser.DefineConst("pi", std::acos(-1.));
           parser.DefineFun("step", unit_step);
+          parser.DefineFun("erf", error_function);
           parser.DefineFun("bessel_j0", bessel_j0);
           parser.DefineFun("bessel_j1", bessel_j1);
           parser.DefineFun("bessel_i0", bessel_i0);

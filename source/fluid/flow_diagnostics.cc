@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ephyra::fluid
 {
@@ -34,24 +35,29 @@ namespace ephyra::fluid
       return grid.y.n_cells + (grid.periodic_y ? 0 : 1);
     }
 
-    /// int f(omega, r) omega dr dy over the cells of a region.
-    template <typename Weight>
-    double
-    integrate_vorticity(const VelocityField &velocity,
-                        const Region        &region,
-                        const Weight        &weight)
+    /// Number of the face next to a place; the ends of the line beyond it.
+    int
+    nearest_face(const GridLine &line, const double x)
     {
-      const StaggeredGrid &grid = velocity.grid();
-      double               sum  = 0;
-      for_owned_cells(grid, [&](const int i, const int j) {
-        const double r = grid.r.centre[i], y = grid.y.centre[j];
-        if (r < region.r_min || r > region.r_max || y < region.y_min ||
-            y > region.y_max)
-          return;
-        const double omega = cell_vorticity(velocity, i, j);
-        sum += weight(omega, r) * omega * grid.r.width[i] * grid.y.width[j];
-      });
-      return mpi::sum(sum, grid.communicator());
+      if (x <= line.face.front())
+        return 0;
+      const int cell = line.cell_of(x);
+      if (cell >= line.n_cells)
+        return line.n_cells;
+      return x < line.centre[cell] ? cell : cell + 1;
+    }
+
+    /// The part of the limits that face k stands for: from the centre of the
+    /// cell below it to that of the cell above.
+    double
+    share(const GridLine &line,
+          const int       k,
+          const double    smallest,
+          const double    largest)
+    {
+      const double from = k > 0 ? line.centre[k - 1] : line.face[0];
+      const double to   = k < line.n_cells ? line.centre[k] : line.face[k];
+      return std::max(0., std::min(to, largest) - std::max(from, smallest));
     }
   } // namespace
 
@@ -133,26 +139,76 @@ namespace ephyra::fluid
     return 2 * M_PI * viscosity * mpi::sum(sum, grid.communicator());
   }
 
+  VorticityIntegrals
+  vorticity_integrals(const VelocityField &velocity,
+                      const double         density,
+                      const Region        &region)
+  {
+    const StaggeredGrid &grid = velocity.grid();
+    const GridLine      &r = grid.r, &y = grid.y;
+    std::vector<double>  sums(3, 0.);
+    for_owned_cells(grid, [&](const int i, const int j) {
+      if (!region.contains(r.centre[i], y.centre[j]))
+        return;
+      const double part =
+        cell_vorticity(velocity, i, j) * r.width[i] * y.width[j];
+      sums[part > 0 ? 0 : 1] += part;
+      sums[2] += part * r.centre[i] * r.centre[i];
+    });
+    mpi::sum_in_place(sums, grid.communicator());
+    return {sums[0], sums[1], M_PI * density * sums[2]};
+  }
+
   double
   circulation(const VelocityField &velocity,
               const Region        &region,
               const VorticitySign  sign)
   {
-    return integrate_vorticity(
-      velocity, region, [&](const double omega, double) {
-        const bool counts = sign == VorticitySign::all ||
-                            (sign == VorticitySign::positive) == (omega > 0);
-        return counts ? 1. : 0.;
-      });
+    const VorticityIntegrals all = vorticity_integrals(velocity, 1., region);
+    return sign == VorticitySign::all        ? all.circulation()
+           : sign == VorticitySign::positive ? all.positive
+                                             : all.negative;
   }
 
-  double
-  vortex_impulse(const VelocityField &velocity,
-                 const double         density,
-                 const Region        &region)
+  VorticityFlux
+  vorticity_flux(const VelocityField &velocity,
+                 const Region        &region,
+                 const Side           side)
   {
-    return M_PI * density *
-           integrate_vorticity(
-             velocity, region, [](double, const double r) { return r * r; });
+    const StaggeredGrid &grid = velocity.grid();
+    const GridLine      &r = grid.r, &y = grid.y;
+    const int end_row = grid.end_row() + (grid.is_last_rank() ? 1 : 0);
+    std::vector<double> sums(2, 0.);
+    // At a corner omega = a - b and the shear rate = a + b, a = d v_r/dy and
+    // b = d v_y/dr.
+    const auto add = [&](const int i, const int j, const double v_n_ds) {
+      const double omega = corner_vorticity(velocity, i, j);
+      const double rate  = corner_shear_rate(velocity, i, j);
+      sums[0] += v_n_ds * omega;
+      sums[1] +=
+        v_n_ds * 0.5 * (side == Side::outer ? rate + omega : omega - rate);
+    };
+    if (side == Side::outer)
+      {
+        const int i = nearest_face(r, region.r_max);
+        if (i >= grid.first_row && i < end_row)
+          for (int j = 0; j <= y.n_cells; ++j)
+            add(i,
+                j,
+                -0.5 * (velocity.r(i, j - 1) + velocity.r(i, j)) *
+                  share(y, j, region.y_min, region.y_max));
+      }
+    else
+      {
+        const bool lower = side == Side::lower;
+        const int  j     = nearest_face(y, lower ? region.y_min : region.y_max);
+        for (int i = std::max(1, grid.first_row); i < end_row; ++i)
+          add(i,
+              j,
+              (lower ? 0.5 : -0.5) * (velocity.y(i - 1, j) + velocity.y(i, j)) *
+                share(r, i, region.r_min, region.r_max));
+      }
+    mpi::sum_in_place(sums, grid.communicator());
+    return {sums[0], sums[1]};
   }
 } // namespace ephyra::fluid

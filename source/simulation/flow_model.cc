@@ -9,6 +9,7 @@ namespace ephyra::simulation
     : flow(std::make_unique<fluid::FlowSolver>(scene.fluid, comm))
     , probes(std::make_unique<FlowProbes>(
         scene.flow_sampling, scene.immersed_boundary, flow->grid()))
+    , regions(scene.flow_regions)
   {
     using immersed_boundary::RigidBody;
     flow->check_time_step(scene.time.time_step);
@@ -53,10 +54,12 @@ namespace ephyra::simulation
       bodies->evaluate(record);
     record.add("kinetic energy [J]",
                fluid::kinetic_energy(flow->velocity(), flow->density()));
-    record.add("circulation [m^2/s]", fluid::circulation(flow->velocity()));
-    record.add(
-      "positive circulation [m^2/s]",
-      fluid::circulation(flow->velocity(), {}, fluid::VorticitySign::positive));
+    const fluid::VorticityIntegrals vorticity =
+      fluid::vorticity_integrals(flow->velocity(), flow->density());
+    record.add("circulation [m^2/s]", vorticity.circulation());
+    record.add("positive circulation [m^2/s]", vorticity.positive);
+    for (const FlowRegion &region : regions)
+      region.evaluate(*flow, record);
     record.add("relative divergence [-]",
                fluid::relative_divergence(flow->velocity()));
     record.add("CFL number [-]", last_cfl);

@@ -124,6 +124,7 @@ namespace ephyra::simulation
     }
     fluid::FlowParameters::declare(prm);
     FlowSampling::declare(prm);
+    FlowRegion::declare(prm);
     immersed_boundary::Parameters::declare(prm);
     prm.declare_repeated_subsection("Body probe",
                                     BodyProbe::declare,
@@ -243,6 +244,7 @@ namespace ephyra::simulation
         refine(fluid.grid.r, refinement);
         refine(fluid.grid.y, refinement);
         flow_sampling.parse(prm);
+        flow_regions = FlowRegion::parse_all(prm);
       }
     if (flow && (elasticity || rigid_bodies))
       immersed_boundary.parse(prm);

@@ -7,6 +7,7 @@
 namespace ephyra::simulation
 {
   SwimmerModel::SwimmerModel(const Scene &scene, const MPI_Comm comm)
+    : regions(scene.flow_regions)
   {
     const geometry::BodyPatch shape = geometry::create_body(scene.body);
     flow = std::make_unique<fluid::FlowSolver>(scene.fluid, comm);
@@ -55,6 +56,8 @@ namespace ephyra::simulation
   SwimmerModel::evaluate(Record &record)
   {
     scheme->evaluate(record);
+    for (const FlowRegion &region : regions)
+      region.evaluate(*flow, record);
     record.add("CFL number [-]", last_cfl);
   }
 

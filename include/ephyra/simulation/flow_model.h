@@ -3,6 +3,7 @@
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/immersed_boundary/rigid_flow.h"
 #include "ephyra/simulation/flow_probes.h"
+#include "ephyra/simulation/flow_regions.h"
 #include "ephyra/simulation/model.h"
 
 namespace ephyra::simulation
@@ -36,6 +37,7 @@ namespace ephyra::simulation
     std::unique_ptr<fluid::FlowSolver>            flow;
     std::unique_ptr<immersed_boundary::RigidFlow> bodies; ///< null: none
     std::unique_ptr<FlowProbes>                   probes;
+    std::vector<FlowRegion>                       regions;
     double                                        last_cfl = 0;
   };
 } // namespace ephyra::simulation

@@ -13,6 +13,7 @@
 #include "ephyra/immersed_boundary/rigid_body.h"
 #include "ephyra/simulation/body_probes.h"
 #include "ephyra/simulation/flow_probes.h"
+#include "ephyra/simulation/flow_regions.h"
 #include "ephyra/simulation/run_output.h"
 
 #include <string>
@@ -63,6 +64,7 @@ namespace ephyra::simulation
     elasticity::StaticsSolver::Parameters                  equilibrium;
     fluid::FlowParameters                                  fluid;
     FlowSampling                                           flow_sampling;
+    std::vector<FlowRegion>                                flow_regions;
     immersed_boundary::Parameters                          immersed_boundary;
     std::vector<immersed_boundary::RigidBody::Parameters>  bodies;
     coupling::CouplingParameters                           coupling;

@@ -6,6 +6,7 @@
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/simulation/body_output.h"
 #include "ephyra/simulation/flow_probes.h"
+#include "ephyra/simulation/flow_regions.h"
 #include "ephyra/simulation/model.h"
 #include "ephyra/simulation/surface_output.h"
 
@@ -48,6 +49,7 @@ namespace ephyra::simulation
     std::unique_ptr<BodyOutput>               body_output;
     std::unique_ptr<SurfaceOutput>            surface_output;
     std::unique_ptr<FlowProbes>               flow_probes;
+    std::vector<FlowRegion>                   regions;
     double                                    last_cfl        = 0;
     double                                    last_iterations = 0;
   };

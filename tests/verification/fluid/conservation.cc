@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(diffusing_ring)
                   grid.r.face[i] * at(i, j)) /
                  (grid.r.centre[i] * grid.r.width[i]);
         });
-      const double impulse = vortex_impulse(flow.velocity(), 1.);
+      const double impulse = vorticity_integrals(flow.velocity(), 1.).impulse;
       run(flow, end - start, n / 2);
 
       double error = 0, size = 0;
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(diffusing_ring)
       error              = std::sqrt(mpi::sum(error, MPI_COMM_WORLD) /
                         mpi::sum(size, MPI_COMM_WORLD));
       const double gamma = circulation(flow.velocity());
-      const double after = vortex_impulse(flow.velocity(), 1.);
+      const double after = vorticity_integrals(flow.velocity(), 1.).impulse;
       BOOST_TEST_MESSAGE("n = " << n << ": error " << error << ", circulation "
                                 << gamma << ", impulse " << impulse << " -> "
                                 << after);
