@@ -127,4 +127,12 @@ namespace ephyra::io
     write_body(folder + "/" + stem, output, comm);
     add(time, stem + ".vtu");
   }
+
+  void
+  PvdCollection::write(const double time, const PointOutput &output)
+  {
+    const std::string stem = next_stem(time);
+    write_points(folder + "/" + stem, output, comm);
+    add(time, stem + ".vtp");
+  }
 } // namespace ephyra::io

@@ -261,4 +261,51 @@ namespace ephyra::io
   {
     on_first_rank(comm, [&]() { write_bezier_cells(stem + ".vtu", output); });
   }
+
+  namespace
+  {
+    void
+    write_point_cloud(const std::string &file_name, const PointOutput &output)
+    {
+      const std::size_t   n = output.r.size();
+      std::vector<double> points;
+      points.reserve(3 * n);
+      for (std::size_t k = 0; k < n; ++k)
+        points.insert(points.end(), {output.r[k], output.y[k], 0.});
+      std::vector<std::int64_t> connectivity, offsets;
+      for (std::size_t k = 0; k < n; ++k)
+        {
+          connectivity.push_back(k);
+          offsets.push_back(k + 1);
+        }
+      VtkXml file("PolyData");
+      file.xml << ">\n<Piece NumberOfPoints=\"" << n << "\" NumberOfVerts=\""
+               << n << "\">\n<PointData>\n";
+      for (const PointOutput::Field &field : output.fields)
+        add_array(file, field.name, 1, field.values);
+      file.xml << "</PointData>\n<Points>\n";
+      add_array(file, "Points", 3, points);
+      file.xml << "</Points>\n<Verts>\n";
+      file.add_array("Int64",
+                     "connectivity",
+                     1,
+                     connectivity.data(),
+                     connectivity.size() * sizeof(std::int64_t));
+      file.add_array("Int64",
+                     "offsets",
+                     1,
+                     offsets.data(),
+                     offsets.size() * sizeof(std::int64_t));
+      file.xml << "</Verts>\n</Piece>\n";
+      file.finish(file_name);
+    }
+  } // namespace
+
+  void
+  write_points(const std::string &stem,
+               const PointOutput &output,
+               const MPI_Comm     comm)
+  {
+    on_first_rank(comm, [&]() { write_point_cloud(stem + ".vtp", output); });
+  }
 } // namespace ephyra::io

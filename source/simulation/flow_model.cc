@@ -13,6 +13,8 @@ namespace ephyra::simulation
   {
     using immersed_boundary::RigidBody;
     flow->check_time_step(scene.time.time_step);
+    for (const TracerParameters &parameters : scene.tracers)
+      tracers.emplace_back(parameters, scene.fluid, flow->velocity());
     if (!scene.rigid_bodies)
       {
         flow->keep_predicted(false);
@@ -35,7 +37,11 @@ namespace ephyra::simulation
       flow->advance(t, dt);
     if (!status.success)
       return status;
-    return flow_status(*flow, dt, last_cfl);
+    status = flow_status(*flow, dt, last_cfl);
+    if (status.success)
+      for (Tracers &set : tracers)
+        set.advance(t, dt, flow->velocity());
+    return status;
   }
 
   void
@@ -45,6 +51,8 @@ namespace ephyra::simulation
       bodies->serialize(archive);
     else
       flow->serialize(archive);
+    for (Tracers &set : tracers)
+      set.serialize(archive);
   }
 
   void
@@ -60,6 +68,8 @@ namespace ephyra::simulation
     record.add("positive circulation [m^2/s]", vorticity.positive);
     for (const FlowRegion &region : regions)
       region.evaluate(*flow, record);
+    for (const Tracers &set : tracers)
+      set.evaluate(record);
     record.add("relative divergence [-]",
                fluid::relative_divergence(flow->velocity()));
     record.add("CFL number [-]", last_cfl);
@@ -89,6 +99,8 @@ namespace ephyra::simulation
     GridOutput grid;
     flow->write(grid);
     output.add_fields("flow", time, grid);
+    for (const Tracers &set : tracers)
+      output.add_fields(set.name(), time, set.output(time));
   }
 
   void

@@ -149,6 +149,14 @@ namespace ephyra::simulation
   }
 
   void
+  RunOutput::add_fields(const std::string &name,
+                        const double       time,
+                        const PointOutput &output)
+  {
+    series(name).write(time, output);
+  }
+
+  void
   RunOutput::collect(const double time, const Record &record)
   {
     if (summary_names.empty())

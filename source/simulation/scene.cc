@@ -125,6 +125,7 @@ namespace ephyra::simulation
     fluid::FlowParameters::declare(prm);
     FlowSampling::declare(prm);
     FlowRegion::declare(prm);
+    TracerParameters::declare(prm);
     immersed_boundary::Parameters::declare(prm);
     prm.declare_repeated_subsection("Body probe",
                                     BodyProbe::declare,
@@ -245,6 +246,7 @@ namespace ephyra::simulation
         refine(fluid.grid.y, refinement);
         flow_sampling.parse(prm);
         flow_regions = FlowRegion::parse_all(prm);
+        tracers      = TracerParameters::parse_all(prm);
       }
     if (flow && (elasticity || rigid_bodies))
       immersed_boundary.parse(prm);

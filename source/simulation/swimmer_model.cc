@@ -34,6 +34,8 @@ namespace ephyra::simulation
     surface_output = std::make_unique<SurfaceOutput>(*body, *surface, *flow);
     flow_probes    = std::make_unique<FlowProbes>(
       scene.flow_sampling, scene.immersed_boundary, flow->grid());
+    for (const TracerParameters &parameters : scene.tracers)
+      tracers.emplace_back(parameters, scene.fluid, flow->velocity());
   }
 
   StepStatus
@@ -43,13 +45,19 @@ namespace ephyra::simulation
     if (!status.success)
       return status;
     last_iterations = status.iterations;
-    return flow_status(*flow, dt, last_cfl);
+    status          = flow_status(*flow, dt, last_cfl);
+    if (status.success)
+      for (Tracers &set : tracers)
+        set.advance(t, dt, flow->velocity());
+    return status;
   }
 
   void
   SwimmerModel::serialize(Archive &archive)
   {
     scheme->serialize(archive);
+    for (Tracers &set : tracers)
+      set.serialize(archive);
   }
 
   void
@@ -58,6 +66,8 @@ namespace ephyra::simulation
     scheme->evaluate(record);
     for (const FlowRegion &region : regions)
       region.evaluate(*flow, record);
+    for (const Tracers &set : tracers)
+      set.evaluate(record);
     record.add("CFL number [-]", last_cfl);
   }
 
@@ -100,6 +110,8 @@ namespace ephyra::simulation
     GridOutput grid;
     flow->write(grid);
     output.add_fields("flow", time, grid);
+    for (const Tracers &set : tracers)
+      output.add_fields(set.name(), time, set.output(time));
     body_output->write_fields(time, output);
     surface_output->write_fields(time, output);
   }

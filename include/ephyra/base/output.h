@@ -46,4 +46,16 @@ namespace ephyra
     std::vector<double>      r, y, weight;
     std::vector<BezierField> point_fields;
   };
+
+  /// Loose points in the half plane, for visualisation. Held by the first rank.
+  struct PointOutput
+  {
+    struct Field
+    {
+      std::string         name; ///< with unit
+      std::vector<double> values;
+    };
+    std::vector<double> r, y; ///< m
+    std::vector<Field>  fields;
+  };
 } // namespace ephyra

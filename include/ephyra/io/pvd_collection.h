@@ -26,12 +26,14 @@ namespace ephyra::io
     void
     resume(double time);
 
-    /// Writes the flow, or a body, at @p time in s. An output at the time of
+    /// Writes the flow, a body or points at @p time in s. An output at the time of
     /// the last one replaces it.
     void
     write(double time, const GridOutput &output);
     void
     write(double time, const BezierOutput &output);
+    void
+    write(double time, const PointOutput &output);
 
     struct Entry
     {

@@ -25,6 +25,13 @@ namespace ephyra::io
              const BezierOutput &output,
              MPI_Comm            comm);
 
+  /// Writes points and their fields, all as float64, to `stem.vtp`. Written by
+  /// the first rank; collective; throws InputError.
+  void
+  write_points(const std::string &stem,
+               const PointOutput &output,
+               MPI_Comm           comm);
+
   /// The order in which VTK wants the (p+1)(q+1) points of a Bézier
   /// quadrilateral (corners, edges, interior; p+1 points of a curve where
   /// @p parametric_dimension is 1): entry k is the lexicographic index, first

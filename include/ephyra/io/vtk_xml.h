@@ -12,7 +12,7 @@ namespace ephyra::io
   class VtkXml
   {
   public:
-    /// @p type is "RectilinearGrid" or "UnstructuredGrid".
+    /// @p type is "RectilinearGrid", "UnstructuredGrid" or "PolyData".
     explicit VtkXml(const std::string &type);
 
     std::ostringstream xml;

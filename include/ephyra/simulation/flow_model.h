@@ -5,6 +5,7 @@
 #include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/flow_regions.h"
 #include "ephyra/simulation/model.h"
+#include "ephyra/simulation/tracers.h"
 
 namespace ephyra::simulation
 {
@@ -38,6 +39,7 @@ namespace ephyra::simulation
     std::unique_ptr<immersed_boundary::RigidFlow> bodies; ///< null: none
     std::unique_ptr<FlowProbes>                   probes;
     std::vector<FlowRegion>                       regions;
+    std::vector<Tracers>                          tracers;
     double                                        last_cfl = 0;
   };
 } // namespace ephyra::simulation

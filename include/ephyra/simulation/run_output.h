@@ -63,6 +63,8 @@ namespace ephyra::simulation
     add_fields(const std::string  &name,
                double              time,
                const BezierOutput &output);
+    void
+    add_fields(const std::string &name, double time, const PointOutput &output);
 
     /// Takes statistics into account for result.csv.
     void

@@ -15,6 +15,7 @@
 #include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/flow_regions.h"
 #include "ephyra/simulation/run_output.h"
+#include "ephyra/simulation/tracers.h"
 
 #include <string>
 #include <vector>
@@ -65,6 +66,7 @@ namespace ephyra::simulation
     fluid::FlowParameters                                  fluid;
     FlowSampling                                           flow_sampling;
     std::vector<FlowRegion>                                flow_regions;
+    std::vector<TracerParameters>                          tracers;
     immersed_boundary::Parameters                          immersed_boundary;
     std::vector<immersed_boundary::RigidBody::Parameters>  bodies;
     coupling::CouplingParameters                           coupling;

@@ -9,6 +9,7 @@
 #include "ephyra/simulation/flow_regions.h"
 #include "ephyra/simulation/model.h"
 #include "ephyra/simulation/surface_output.h"
+#include "ephyra/simulation/tracers.h"
 
 namespace ephyra::simulation
 {
@@ -50,6 +51,7 @@ namespace ephyra::simulation
     std::unique_ptr<SurfaceOutput>            surface_output;
     std::unique_ptr<FlowProbes>               flow_probes;
     std::vector<FlowRegion>                   regions;
+    std::vector<Tracers>                      tracers;
     double                                    last_cfl        = 0;
     double                                    last_iterations = 0;
   };
