@@ -136,6 +136,16 @@ class Body:
         return self.evaluate(self.points, s, t)
 
 
+class Points:
+    """Tracers of one output: `r` and `y` in m, and fields by their names."""
+
+    def __init__(self, path):
+        file = VtkFile(path)
+        points = file.arrays("Points")["Points"].reshape(-1, 3)
+        self.r, self.y = points[:, 0], points[:, 1]
+        self.fields = file.arrays("PointData")
+
+
 def field_named(fields, *words):
     """The first field whose name starts with one of the words, or None."""
     for word in words:

@@ -158,7 +158,7 @@ def view(flow, bodies, width):
             min(np.max(points[:, 1]) + size / 4, flow.y_faces[-1]))
 
 
-def plot_vorticity(folder, target, times, n_snapshots, width):
+def plot_vorticity(folder, target, times, n_snapshots, width, window):
     series = folder / "flow.pvd"
     if not series.exists():
         return None
@@ -176,7 +176,7 @@ def plot_vorticity(folder, target, times, n_snapshots, width):
     scale = np.percentile(np.abs(np.concatenate([f.fields[name].ravel() for f in flows])),
                           99.7) or 1.0
     bodies = [read_bodies(folder, time) for time, _ in chosen]
-    window = view(flows[0], [body for group in bodies for body in group], width)
+    window = window or view(flows[0], [body for group in bodies for body in group], width)
     height = 3.0 * (window[2] - window[1]) / (2 * window[0])
     figure, axes = plt.subplots(1, len(chosen), squeeze=False, sharey=True,
                                 figsize=(3.0 * len(chosen) + 1, height + 1),
@@ -214,6 +214,9 @@ def main(arguments):
     parser.add_argument("--width", type=float, default=3.0,
                         help="size of the snapshots in radii of the body; 0: the whole flow "
                         "(default 3)")
+    parser.add_argument("--window", type=float, nargs=3, metavar=("R", "Y0", "Y1"),
+                        help="largest r, smallest and largest y of the snapshots in m, instead "
+                        "of --width")
     options = parser.parse_args(arguments)
     folder = pathlib.Path(options.folder)
     if not folder.is_dir():
@@ -227,7 +230,7 @@ def main(arguments):
         pictures.append(plot_motion(folder, target, options.column, overlays))
     pictures.append(plot_profiles(folder, target))
     pictures.append(plot_vorticity(folder, target, options.time, options.snapshots,
-                                   options.width))
+                                   options.width, options.window))
     if not any(pictures):
         print(f"plot: nothing to draw in {folder}: no statistics.csv, profiles/ or flow.pvd.",
               file=sys.stderr)

@@ -43,7 +43,7 @@ class RestartTest(runs.SystemTest):
                     self.assertAlmostEqual(result[name][0] / whole[name][0], 1, 7, name)
 
     def test_swim_with_forcing_as_load(self):
-        self.check("swim.prm", series=("flow", "body"))
+        self.check("swim.prm", series=("flow", "body", "dye"))
         for name in ("potential", "activation", "radial_displacement"):
             part, whole = (self.table(run, f"profiles/{name}.csv") for run in ("part", "whole"))
             self.assertEqual(part.names, whole.names)
@@ -51,10 +51,10 @@ class RestartTest(runs.SystemTest):
 
     def test_swim_with_fixed_point(self):
         self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"),
-                   series=("flow", "body"))
+                   series=("flow", "body", "dye"))
 
     def test_sinking_sphere(self):
-        self.check("sphere.prm", series=("flow",))
+        self.check("sphere.prm", series=("flow", "dye"))
 
     def test_swim_with_a_distributed_body(self):
         self.check("swim.prm", *runs.sets(Scene__Distributed_body_from=0), series=("body",))

@@ -45,9 +45,9 @@ BOOST_AUTO_TEST_CASE(values)
   BOOST_TEST(pulse(2.1) == 0.);
 }
 
-BOOST_AUTO_TEST_CASE(bessel_functions)
+BOOST_AUTO_TEST_CASE(special_functions)
 {
-  // Values from tables: Abramowitz & Stegun, 9.1 and 9.8.
+  // Values from tables: Abramowitz & Stegun, 7.1, 9.1 and 9.8.
   const auto tolerance  = boost::test_tools::tolerance(1e-12);
   const auto at_minus_1 = [](const std::string &name) {
     return Expression(name + "(x)", {"x"})(-1.);
@@ -57,6 +57,7 @@ BOOST_AUTO_TEST_CASE(bessel_functions)
   BOOST_TEST(at_minus_1("bessel_i0") == 1.266065877752008, tolerance);
   BOOST_TEST(at_minus_1("bessel_i1") == -0.565159103992485, tolerance);
   BOOST_TEST(Expression("bessel_j1(x)", {"x"})(0.) == 0.);
+  BOOST_TEST(at_minus_1("erf") == -0.842700792949715, tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(copies_are_independent)

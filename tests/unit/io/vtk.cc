@@ -243,4 +243,29 @@ BOOST_AUTO_TEST_CASE(unwritable_folder_is_one_error_on_all_ranks)
     });
 }
 
+BOOST_AUTO_TEST_CASE(points_and_none)
+{
+  const MPI_Comm                 comm = MPI_COMM_WORLD;
+  const testing::TemporaryFolder folder;
+  PointOutput                    points;
+  points.r      = {0.1, 0.2, 0.3};
+  points.y      = {-1., 0., 1e-9};
+  points.fields = {{"age [s]", {3., 2., 1. / 3.}}};
+  io::PvdCollection series(folder.path, "dye", comm);
+  series.write(0., PointOutput{{}, {}, {{"age [s]", {}}}});
+  series.write(1., points);
+  if (mpi::rank(comm) != 0)
+    return;
+  BOOST_REQUIRE(series.entries().size() == 2u);
+  const testing::VtkReader none(folder.path + "/" + series.entries()[0].file);
+  BOOST_TEST(none.array<double>("Points").empty());
+  BOOST_TEST(none.text.find("NumberOfPoints=\"0\"") != std::string::npos);
+  const testing::VtkReader  file(folder.path + "/" + series.entries()[1].file);
+  const std::vector<double> expected{0.1, -1., 0., 0.2, 0., 0., 0.3, 1e-9, 0.};
+  BOOST_TEST(file.array<double>("Points") == expected);
+  BOOST_TEST(file.array<double>("age [s]") == points.fields[0].values);
+  BOOST_TEST(file.array<std::int64_t>("offsets") ==
+             (std::vector<std::int64_t>{1, 2, 3}));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
