@@ -20,10 +20,14 @@ namespace ephyra::immersed_boundary
                       "Distance of two markers over the local cell size at "
                       "which a run stops because the surface is no longer "
                       "closed.");
-    prm.declare_entry("Weight function",
-                      "exponential",
-                      patterns::Selection("exponential|cubic spline"),
-                      "Weight of the moving least squares, in each direction.");
+    prm.declare_entry(
+      "Weight function",
+      "automatic",
+      patterns::Selection("automatic|exponential|cubic spline"),
+      "Weight of the moving least squares, in each direction. "
+      "Automatic: cubic spline for rigid bodies, whose loads it "
+      "makes smoother, exponential for deformable ones, whose "
+      "thin parts want the narrower weight.");
     prm.declare_entry("Half width",
                       "1.6",
                       patterns::Double("", 1.5, 3.),
@@ -69,12 +73,15 @@ namespace ephyra::immersed_boundary
                       "Distance from the surface at which pressure and "
                       "velocity are taken for the loads, over the local cell "
                       "size.");
-    prm.declare_entry("Wall pressure",
-                      "acceleration",
-                      patterns::Selection("probe|acceleration|linear"),
-                      "Pressure at the wall: that of the probe; carried to "
-                      "the wall with the normal acceleration of the wall; or "
-                      "extrapolated from one and two probe lengths.");
+    prm.declare_entry(
+      "Wall pressure",
+      "automatic",
+      patterns::Selection("automatic|probe|acceleration|linear"),
+      "Pressure at the wall: that of the probe; carried to "
+      "the wall with the normal acceleration of the wall; or "
+      "extrapolated from one and two probe lengths. Automatic: "
+      "linear for rigid bodies, acceleration for deformable "
+      "ones, whose coupling it makes stable.");
     prm.declare_entry("Friction",
                       "quadratic",
                       patterns::Selection("one-point|quadratic|extrapolated"),
@@ -82,17 +89,25 @@ namespace ephyra::immersed_boundary
                       "from a parabola through the wall and the points at one "
                       "and two probe lengths, or from one through the points "
                       "at one, two and three probe lengths.");
+    prm.declare_entry(
+      "Surface slip",
+      "false",
+      patterns::Bool(),
+      "Report slip and leakage also on the surface of rigid "
+      "bodies, where the flow outside, continued by a parabola, "
+      "meets it; without it only at the forcing points.");
   }
 
   void
-  Parameters::parse(ParameterHandler &prm)
+  Parameters::parse(ParameterHandler &prm, const bool rigid_bodies)
   {
     const ParameterHandler::Section section(prm, "Immersed boundary");
-    marker_spacing     = prm.get_double("Marker spacing");
-    largest_spacing    = prm.get_double("Largest marker spacing");
-    weight             = prm.get("Weight function") == "exponential"
-                           ? WeightFunction::exponential
-                           : WeightFunction::cubic_spline;
+    marker_spacing           = prm.get_double("Marker spacing");
+    largest_spacing          = prm.get_double("Largest marker spacing");
+    const std::string chosen = prm.get("Weight function");
+    weight = chosen == "cubic spline" || (chosen == "automatic" && rigid_bodies)
+               ? WeightFunction::cubic_spline
+               : WeightFunction::exponential;
     half_width         = prm.get_double("Half width");
     exponential_width  = prm.get_double("Exponential width");
     forcing_solver     = prm.get("Forcing") == "exact" ? ForcingSolver::exact
@@ -103,12 +118,15 @@ namespace ephyra::immersed_boundary
     no_slip_tolerance  = prm.get_double("No-slip tolerance");
     probe_length       = prm.get_double("Probe length");
     const std::string pressure = prm.get("Wall pressure");
-    wall_pressure              = pressure == "probe" ? WallPressure::probe
-                                 : pressure == "acceleration" ? WallPressure::acceleration
-                                                              : WallPressure::linear;
-    const std::string formula  = prm.get("Friction");
-    friction = formula == "one-point"   ? FrictionFormula::one_point
-               : formula == "quadratic" ? FrictionFormula::quadratic
-                                        : FrictionFormula::extrapolated;
+    wall_pressure =
+      pressure == "probe" ? WallPressure::probe
+      : pressure == "linear" || (pressure == "automatic" && rigid_bodies)
+        ? WallPressure::linear
+        : WallPressure::acceleration;
+    const std::string formula = prm.get("Friction");
+    friction     = formula == "one-point"   ? FrictionFormula::one_point
+                   : formula == "quadratic" ? FrictionFormula::quadratic
+                                            : FrictionFormula::extrapolated;
+    surface_slip = prm.get_bool("Surface slip");
   }
 } // namespace ephyra::immersed_boundary

@@ -126,6 +126,19 @@ namespace ephyra::immersed_boundary
                       "0 m^2",
                       patterns::Double("m^2", 0.),
                       "Area of the drag coefficients; 0: largest section.");
+    prm.declare_entry("Wake",
+                      "none",
+                      patterns::Selection("none|above|below"),
+                      "Side of the body, along y, on which its wake lies: the "
+                      "statistics then have the stretch of reversed flow on "
+                      "the axis behind the body and, for sphere, spheroid and "
+                      "torus, the angle at which the flow separates.");
+    prm.declare_entry("Surface profiles",
+                      "false",
+                      patterns::Bool(),
+                      "Wall pressure and friction by the probes along the "
+                      "surface, in profiles/NAME_pressure.csv and "
+                      "profiles/NAME_friction.csv.");
   }
 
   void
@@ -160,6 +173,10 @@ namespace ephyra::immersed_boundary
     interior           = interiors.at(prm.get("Interior fluid"));
     reference_velocity = prm.get_double("Reference velocity");
     reference_area     = prm.get_double("Reference area");
+    const std::map<std::string, Wake> wakes{
+      {"none", Wake::none}, {"above", Wake::above}, {"below", Wake::below}};
+    wake             = wakes.at(prm.get("Wake"));
+    surface_profiles = prm.get_bool("Surface profiles");
   }
 
   RigidBody::RigidBody(const Parameters &parameters)

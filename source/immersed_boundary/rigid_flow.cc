@@ -1,6 +1,7 @@
 #include "ephyra/immersed_boundary/rigid_flow.h"
 
 #include "ephyra/base/exceptions.h"
+#include "ephyra/base/log.h"
 #include "ephyra/base/timer_tree.h"
 #include "ephyra/immersed_boundary/interior_momentum.h"
 #include "ephyra/immersed_boundary/no_slip_iteration.h"
@@ -82,6 +83,11 @@ namespace ephyra::immersed_boundary
                     << bodies[free_bodies[0]]->parameters.name
                     << "' is free: set them to 0.");
     flow.keep_predicted(measures_momentum || parameters.no_slip_iterations > 0);
+    log().line(std::string("Immersed boundary: weight function ") +
+               (parameters.weight == WeightFunction::exponential
+                  ? "exponential"
+                  : "cubic spline") +
+               ", " + std::to_string(the_markers->size()) + " markers.");
     const std::size_t n = free_bodies.size();
     momentum_slope.assign(n * n, 0.);
     for (std::size_t k = 0; k < n; ++k)

@@ -3,6 +3,9 @@
 #include "ephyra/fluid/flow_diagnostics.h"
 #include "ephyra/simulation/flow_status.h"
 
+#include <sstream>
+#include <string>
+
 namespace ephyra::simulation
 {
   FlowModel::FlowModel(const Scene &scene, const MPI_Comm comm)
@@ -91,6 +94,24 @@ namespace ephyra::simulation
   FlowModel::write_profiles(const double time, RunOutput &output) const
   {
     probes->write_lines(time, *flow, output);
+    for (int b = 0; bodies && b < bodies->n_bodies(); ++b)
+      {
+        const auto &parameters = bodies->body(b).parameters;
+        if (!parameters.surface_profiles)
+          continue;
+        const auto               profile = bodies->surface_profile(b);
+        std::vector<std::string> arc;
+        for (const double s : profile.arc)
+          {
+            std::ostringstream name;
+            name << s;
+            arc.push_back(name.str());
+          }
+        output.add_profile(
+          parameters.name + "_pressure", time, arc, profile.pressure);
+        output.add_profile(
+          parameters.name + "_friction", time, arc, profile.friction);
+      }
   }
 
   void

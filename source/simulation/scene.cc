@@ -249,7 +249,7 @@ namespace ephyra::simulation
         tracers      = TracerParameters::parse_all(prm);
       }
     if (flow && (elasticity || rigid_bodies))
-      immersed_boundary.parse(prm);
+      immersed_boundary.parse(prm, rigid_bodies);
     if (rigid_bodies)
       for (const std::string &name : prm.instances("Rigid body"))
         {

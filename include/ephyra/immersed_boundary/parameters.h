@@ -60,9 +60,14 @@ namespace ephyra::immersed_boundary
     WallPressure    wall_pressure = WallPressure::acceleration;
     FrictionFormula friction      = FrictionFormula::quadratic;
 
+    /// Report slip and leakage on the surface as well.
+    bool surface_slip = false;
+
     static void
     declare(ParameterHandler &prm);
+    /// Automatic choices: cubic spline and linear pressure for
+    /// @p rigid_bodies, else exponential and acceleration.
     void
-    parse(ParameterHandler &prm);
+    parse(ParameterHandler &prm, bool rigid_bodies = false);
   };
 } // namespace ephyra::immersed_boundary

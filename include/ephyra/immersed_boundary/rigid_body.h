@@ -34,6 +34,13 @@ namespace ephyra::immersed_boundary
       rigid,     ///< its momentum is m_f V
       measured   ///< its momentum is integrated after the projection
     };
+    /// Side of the body on which its wake is looked for.
+    enum class Wake
+    {
+      none,
+      above, ///< towards larger y
+      below
+    };
     /// Section "Rigid body NAME".
     struct Parameters
     {
@@ -60,6 +67,8 @@ namespace ephyra::immersed_boundary
       /// area 0 is that of the largest section.
       double reference_velocity = 0;
       double reference_area     = 0;
+      Wake   wake               = Wake::none;
+      bool   surface_profiles   = false;
 
       static void
       declare(ParameterHandler &prm);

@@ -7,6 +7,7 @@
 #include "ephyra/immersed_boundary/direct_forcing.h"
 #include "ephyra/immersed_boundary/rigid_body.h"
 #include "ephyra/immersed_boundary/surface_loads.h"
+#include "ephyra/immersed_boundary/wake.h"
 
 #include <memory>
 #include <string>
@@ -83,14 +84,25 @@ namespace ephyra::immersed_boundary
     {
       return force[b];
     }
-    /// What the present velocity misses at the markers; collective.
+    /// What the present velocity u misses.
     struct NoSlip
     {
-      double slip    = 0; ///< root mean square of |J u - V| over area, m/s
-      double leakage = 0; ///< mean of |(J u - V).n| over area, m/s
+      double slip    = 0; ///< root mean square of |u - V| over area, m/s
+      double leakage = 0; ///< mean of |(u - V).n| over area, m/s
     };
+    /// At the forcing points, with the interpolated velocity J u; collective.
     NoSlip
     no_slip_error();
+    /// On the surface, with the velocity outside continued to it by the parabola
+    /// through the points at 1, 1.5 and 2 cells along the normal,
+    ///   u = 6 u(1) - 8 u(1.5) + 3 u(2);
+    /// markers where these leave the grid are left out; collective.
+    NoSlip
+    no_slip_error_on_surface() const;
+
+    /// Wall pressure and friction along the surface of a body; collective.
+    SurfaceProfile
+    surface_profile(int body);
 
     /// Projections of the last step.
     int
@@ -100,6 +112,14 @@ namespace ephyra::immersed_boundary
     }
 
   private:
+    /// Columns of the wake of a body that asks for them; collective.
+    void
+    evaluate_wake(int body, Record &record) const;
+    /// Means over the area of the markers' velocities @p u (radial, then axial
+    /// components; markers whose `used` is 0 are left out).
+    NoSlip
+    mean_error(const std::vector<double> &u,
+               const std::vector<char>   &used) const;
     /// Throws InputError where a body touches a wall or another one.
     void
     check_start() const;

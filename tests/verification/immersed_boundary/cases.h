@@ -10,13 +10,23 @@
 
 namespace ephyra::test
 {
+  /// The automatic choices for rigid bodies.
+  inline immersed_boundary::Parameters
+  rigid_defaults()
+  {
+    immersed_boundary::Parameters p;
+    p.weight        = immersed_boundary::WeightFunction::cubic_spline;
+    p.wall_pressure = immersed_boundary::WallPressure::linear;
+    return p;
+  }
+
   /// A flow with rigid bodies.
   struct RigidCase
   {
     RigidCase(
       const fluid::FlowParameters                                 &flow_in,
       const std::vector<immersed_boundary::RigidBody::Parameters> &bodies,
-      const immersed_boundary::Parameters &parameters = {})
+      const immersed_boundary::Parameters &parameters = rigid_defaults())
       : the_flow(std::make_unique<fluid::FlowSolver>(flow_in, MPI_COMM_WORLD))
       , flow(*the_flow)
     {

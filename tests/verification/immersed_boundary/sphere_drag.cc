@@ -16,7 +16,8 @@ namespace
 {
   struct Drag
   {
-    double by_forcing, by_probes, slip;
+    double                               by_forcing, by_probes;
+    immersed_boundary::RigidFlow::NoSlip at_points, on_surface;
   };
 
   Drag
@@ -34,7 +35,8 @@ namespace
       c.step(dt);
     return {c.rigid->force_by_forcing(0) / unit_of_drag,
             c.force_by_probes() / unit_of_drag,
-            c.rigid->no_slip_error().slip};
+            c.rigid->no_slip_error(),
+            c.rigid->no_slip_error_on_surface()};
   }
 } // namespace
 
@@ -47,16 +49,36 @@ BOOST_AUTO_TEST_CASE(reynolds_100)
   BOOST_TEST(std::abs(drag.by_probes / reference - 1) < 0.05);
 }
 
-// Slip at the markers and the distance of the two drags under refinement, in a
-// small domain: the drag itself is not that of the reference.
+// No-slip errors and the distance of the two drags under refinement, in a small
+// domain: the drag itself is not that of the reference.
 BOOST_AUTO_TEST_CASE(refinement)
 {
   const Drag coarse = run(12, 8., 4., 3., 6.), fine = run(36, 8., 4., 3., 6.);
-  BOOST_TEST_MESSAGE("slip " << coarse.slip << ", " << fine.slip
-                             << "; Cd by forcing " << coarse.by_forcing << ", "
-                             << fine.by_forcing << ", by probes "
-                             << coarse.by_probes << ", " << fine.by_probes);
-  BOOST_TEST(fine.slip < 0.6 * coarse.slip);
+  const auto order = [](const double a, const double b) {
+    return std::log(a / b) / std::log(3.);
+  };
+  const double slip = order(coarse.at_points.slip, fine.at_points.slip);
+  const double leakage =
+    order(coarse.at_points.leakage, fine.at_points.leakage);
+  const double slip_on_surface =
+    order(coarse.on_surface.slip, fine.on_surface.slip);
+  const double leakage_on_surface =
+    order(coarse.on_surface.leakage, fine.on_surface.leakage);
+  BOOST_TEST_MESSAGE(
+    "12 and 36 cells: slip "
+    << coarse.at_points.slip << ", " << fine.at_points.slip << ", order "
+    << slip << "; leakage " << coarse.at_points.leakage << ", "
+    << fine.at_points.leakage << ", order " << leakage
+    << "; on the surface slip " << coarse.on_surface.slip << ", "
+    << fine.on_surface.slip << ", order " << slip_on_surface << "; leakage "
+    << coarse.on_surface.leakage << ", " << fine.on_surface.leakage
+    << ", order " << leakage_on_surface << "; Cd by forcing "
+    << coarse.by_forcing << ", " << fine.by_forcing << ", by probes "
+    << coarse.by_probes << ", " << fine.by_probes);
+  BOOST_TEST(slip > 0.8);
+  BOOST_TEST(leakage > 0.8);
+  BOOST_TEST(slip_on_surface > 1.);
+  BOOST_TEST(leakage_on_surface > 1.);
   BOOST_TEST(std::abs(fine.by_forcing - fine.by_probes) <
              0.5 * std::abs(coarse.by_forcing - coarse.by_probes));
   BOOST_TEST(std::abs(fine.by_forcing / fine.by_probes - 1) < 0.02);
@@ -69,7 +91,7 @@ BOOST_AUTO_TEST_CASE(long_reynolds_100_on_the_domain_of_the_reference)
       const Drag drag = run(n, 40., 30., 20., 40.);
       BOOST_TEST_MESSAGE(n << " cells: Cd by forcing " << drag.by_forcing
                            << ", by probes " << drag.by_probes << ", slip "
-                           << drag.slip);
+                           << drag.at_points.slip);
       BOOST_TEST(std::abs(drag.by_forcing / reference - 1) < 0.01);
       BOOST_TEST(std::abs(drag.by_probes / reference - 1) < 0.02);
     }

@@ -1,5 +1,6 @@
 """Runs of the shipped scenes, and their tables."""
 
+import bisect
 import csv
 import math
 import os
@@ -36,6 +37,12 @@ def crossing(x, y, level):
         if (y[k - 1] - level) * (y[k] - level) <= 0 and y[k] != y[k - 1]:
             return x[k - 1] + (x[k] - x[k - 1]) * (level - y[k - 1]) / (y[k] - y[k - 1])
     raise ValueError(f"the level {level} is not reached")
+
+
+def interpolated(x, y, at):
+    """y at a place between the growing x, linear between the points."""
+    k = min(max(bisect.bisect_right(x, at), 1), len(x) - 1)
+    return y[k - 1] + (y[k] - y[k - 1]) * (at - x[k - 1]) / (x[k] - x[k - 1])
 
 
 def order(coarse, fine):
