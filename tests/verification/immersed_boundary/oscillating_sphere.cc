@@ -47,7 +47,7 @@ namespace
     parameters.weight                        = weight;
     RigidCase c(flow, {sphere}, parameters);
 
-    const int    n_steps = 200;
+    const int    n_steps = 25 * n / 2; // 200 on the coarse grid
     const double dt      = 1. / n_steps;
     for (int k = 0; k < n_steps; ++k)
       c.step(dt);
@@ -112,6 +112,12 @@ BOOST_AUTO_TEST_CASE(force_against_stokes)
   BOOST_TEST(std::abs(fine.by_probes - 1.) < 0.1);
   BOOST_TEST(std::abs(fine.by_probes - 1.) <
              0.6 * std::abs(coarse.by_probes - 1.));
+  // Slip and leakage on the surface, and what the forcing leaves at its points.
+  BOOST_TEST(std::log2(coarse.slip_on_surface / fine.slip_on_surface) > 1.);
+  BOOST_TEST(std::log2(coarse.leakage_on_surface / fine.leakage_on_surface) >
+             1.);
+  BOOST_TEST(fine.slip < coarse.slip);
+  BOOST_TEST(fine.slip < exponential.slip);
   // The spurious pressure of the cells that change sides.
   BOOST_TEST(fine.roughness < 0.002);
   BOOST_TEST(fine.roughness < 0.5 * exponential.roughness);
