@@ -1,5 +1,6 @@
 #include "ephyra/simulation/swimmer_model.h"
 
+#include "ephyra/fluid/flow_diagnostics.h"
 #include "ephyra/simulation/build_body.h"
 #include "ephyra/simulation/flow_status.h"
 
@@ -68,6 +69,8 @@ namespace ephyra::simulation
       region.evaluate(*flow, record);
     for (const Tracers &set : tracers)
       set.evaluate(record);
+    record.add("relative divergence [-]",
+               fluid::relative_divergence(flow->velocity()));
     record.add("CFL number [-]", last_cfl);
   }
 

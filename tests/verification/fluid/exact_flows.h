@@ -60,6 +60,9 @@ namespace exact_flows
   {
     double k, beta, viscosity;
     bool   slip;
+    /// Moved by a quarter of a wavelength: no flow through and no stress at
+    /// y = 0 and pi/k, where slip walls can stand.
+    bool between_walls = false;
 
     double
     rate() const
@@ -75,7 +78,9 @@ namespace exact_flows
         const double core =
           slip ? std::cyl_bessel_j(1, beta * r)
                : std::cyl_bessel_j(1, beta * r) / std::cyl_bessel_j(1, beta);
-        return (core - wall) * std::sin(k * y) * std::exp(-rate() * t);
+        return (core - wall) *
+               (between_walls ? std::cos(k * y) : std::sin(k * y)) *
+               std::exp(-rate() * t);
       };
     }
     Component
@@ -87,7 +92,9 @@ namespace exact_flows
         const double core = slip ? beta * std::cyl_bessel_j(0, beta * r)
                                  : beta * std::cyl_bessel_j(0, beta * r) /
                                      std::cyl_bessel_j(1, beta);
-        return (core - wall) * std::cos(k * y) / k * std::exp(-rate() * t);
+        return (core - wall) *
+               (between_walls ? -std::sin(k * y) : std::cos(k * y)) / k *
+               std::exp(-rate() * t);
       };
     }
   };

@@ -160,3 +160,33 @@ def vortex_ring_stroke8(run):
     yield Number("flux of vorticity through the inlet at t = 5",
                  at(table, "inlet shear vorticity flux lower [m^2/s^2]", 5), 0.5, 0.002,
                  "exact, U^2/2")
+
+
+def stimson_jeffery(distance):
+    """Drag of each of two equal spheres that follow each other in Stokes flow over that
+    of one alone, the distance of their centres in diameters: Stimson & Jeffery 1926,
+    10.1098/rspa.1926.0053; .645 where they touch."""
+    a = math.acosh(distance)
+    total = 0
+    for n in range(1, 200):
+        fraction = (4 * math.sinh((n + 0.5) * a) ** 2 - (2 * n + 1) ** 2 * math.sinh(a) ** 2) / (
+            2 * math.sinh((2 * n + 1) * a) + (2 * n + 1) * math.sinh(2 * a))
+        total += n * (n + 1) / ((2 * n - 1) * (2 * n + 3)) * (1 - fraction)
+    return 4 / 3 * math.sinh(a) * total
+
+
+@case(LONG, "two_stokes_spheres")
+def two_stokes_spheres(run):
+    def steady(some_run, body):
+        """Extrapolated in 1/sqrt(t) from t = 6.25 and 25."""
+        table = some_run.table("statistics")
+        column = f"{body} force y by forcing [N]"
+        return 2 * at(table, column, 25) - at(table, column, 6.25)
+
+    with SceneRun("stokes_sphere") as single:
+        alone = steady(single, "front")
+    yield relative("drag of one sphere over 3 pi", alone / (3 * math.pi), 1, 0.03, FORMULA)
+    for body in ("front", "rear"):
+        yield relative(f"drag of the {body} sphere over that of one alone",
+                       steady(run, body) / alone, stimson_jeffery(2), 0.01,
+                       "Stimson & Jeffery 1926, 10.1098/rspa.1926.0053")
