@@ -188,5 +188,5 @@ def two_stokes_spheres(run):
     yield relative("drag of one sphere over 3 pi", alone / (3 * math.pi), 1, 0.005, FORMULA)
     for body in ("front", "rear"):
         yield relative(f"drag of the {body} sphere over that of one alone",
-                       steady(run, body) / alone, stimson_jeffery(2), 0.01,
+                       steady(run, body) / alone, stimson_jeffery(2), 0.005,
                        "Stimson & Jeffery 1926, 10.1098/rspa.1926.0053")
