@@ -9,6 +9,8 @@ of an unknown kind is an error: teach this script what it is. Links between the
 documents must lead somewhere, too.
 """
 
+import concurrent.futures
+import functools
 import json
 import os
 import pathlib
@@ -54,6 +56,7 @@ def commands(path):
                 pending = ""
 
 
+@functools.lru_cache(maxsize=None)
 def call_binary(*arguments):
     result = subprocess.run([BINARY, *arguments], cwd=ROOT, capture_output=True, text=True,
                             stdin=subprocess.DEVNULL, timeout=120, check=False)
@@ -93,10 +96,13 @@ def check_sweep(arguments):
     options = sweep.parse_arguments(["--binary", BINARY, *arguments])
     options.file = str(ROOT / options.file)
     one = study.make_study(options)
+    commands_of_cases = []
     for values in one.cases.values():
         sets = one.settings + [f"{entry} = {value}" for entry, value in values.items()]
-        call_binary("--validate", str(one.scene),
-                    *[word for text in sets for word in ("--set", text)])
+        commands_of_cases.append(["--validate", str(one.scene),
+                                  *[word for text in sets for word in ("--set", text)]])
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        list(pool.map(lambda command: call_binary(*command), commands_of_cases))
 
 
 def check_plot(arguments):
