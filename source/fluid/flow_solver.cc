@@ -330,8 +330,8 @@ namespace ephyra::fluid
     int          previous = -1;
     poisson_solver->solve(
       phi,
-      [&](const int i, double *const row) {
-        momentum.divergence(field, 1. / factor, i, row);
+      [&](const int i, const double scale, double *const row) {
+        momentum.divergence(field, scale / factor, i, row);
       },
       [&](const int i, double *const row) {
         boundary.fill_correction_ghosts(row);

@@ -110,115 +110,118 @@ namespace ephyra::fluid
       result[j] = next;
     };
 
-    // Radial component.
-    for (int i = boundary.first_r_face(); i < boundary.end_r_face(); ++i)
-      {
-        const bool   open = i == n_r; // half a control volume on an open side
-        const double gap  = r.centre_gap[i];
-        const double r_m = r.face[i - 1], r_c = r.face[i];
-        const double r_p     = open ? r_c + r.width[n_r - 1] : r.face[i + 1];
-        const double scale_r = 0.25 / (r_c * gap);
-        const double half_m  = 0.25 * area(i - 1) / (r_c * gap);
-        const double half_p  = open ? 0. : 0.25 * area(i) / (r_c * gap);
-        const ViscousStencil stencil = radial_stencil_of_v_r(grid, i);
-        const double         visc_m = stencil.minus, visc_c = stencil.centre,
-                     visc_p = stencil.plus;
-        const double grad   = factors.pressure / r.mirrored_gap(i, false);
+    const auto radial_row = [&](const int i) {
+      const bool   open = i == n_r; // half a control volume on an open side
+      const double gap  = r.centre_gap[i];
+      const double r_m = r.face[i - 1], r_c = r.face[i];
+      const double r_p     = open ? r_c + r.width[n_r - 1] : r.face[i + 1];
+      const double scale_r = 0.25 / (r_c * gap);
+      const double half_m  = 0.25 * area(i - 1) / (r_c * gap);
+      const double half_p  = open ? 0. : 0.25 * area(i) / (r_c * gap);
+      const ViscousStencil stencil = radial_stencil_of_v_r(grid, i);
+      const double         visc_m = stencil.minus, visc_c = stencil.centre,
+                   visc_p = stencil.plus;
+      const double grad   = factors.pressure / r.mirrored_gap(i, false);
 
-        const double *const um = u.r.row(i - 1), *const uc = u.r.row(i),
-                            *const up = u.r.row(i + 1);
-        const double *const wm = u.y.row(i - 1), *const wp = u.y.row(i);
-        const double *const pm = p.row(i - 1), *const pp = p.row(i);
-        const double *const inv_dy = inv_width.data();
-        const double *const down   = cell_down.data(), *const up_y =
-                                                       cell_up.data();
-        double *const hist   = history.r.row(i);
-        double *const result = out.r.row(i);
+      const double *const um = u.r.row(i - 1), *const uc = u.r.row(i),
+                          *const up = u.r.row(i + 1);
+      const double *const wm = u.y.row(i - 1), *const wp = u.y.row(i);
+      const double *const pm = p.row(i - 1), *const pp = p.row(i);
+      const double *const inv_dy = inv_width.data();
+      const double *const down = cell_down.data(), *const up_y = cell_up.data();
+      double *const hist   = history.r.row(i);
+      double *const result = out.r.row(i);
 #pragma GCC ivdep
-        for (int j = 0; j < n_y; ++j)
-          {
-            double h = 0;
-            if constexpr (convection)
-              {
-                const double flux_p =
-                  (r_c * uc[j] + r_p * up[j]) * (uc[j] + up[j]);
-                const double flux_m =
-                  (r_m * um[j] + r_c * uc[j]) * (um[j] + uc[j]);
-                const double top = (half_m * wm[j + 1] + half_p * wp[j + 1]) *
-                                   (uc[j] + uc[j + 1]);
-                const double bottom =
-                  (half_m * wm[j] + half_p * wp[j]) * (uc[j - 1] + uc[j]);
-                h = -((flux_p - flux_m) * scale_r + (top - bottom) * inv_dy[j]);
-              }
-            const double viscous_r =
-              visc_p * up[j] - visc_c * uc[j] + visc_m * um[j];
-            const double viscous_y =
-              up_y[j] * (uc[j + 1] - uc[j]) - down[j] * (uc[j] - uc[j - 1]);
-            finish(h,
-                   viscous_r,
-                   viscous_y,
-                   grad * (pp[j] - pm[j]),
-                   uc[j],
-                   hist,
-                   result,
-                   j);
-          }
-      }
+      for (int j = 0; j < n_y; ++j)
+        {
+          double h = 0;
+          if constexpr (convection)
+            {
+              const double flux_p =
+                (r_c * uc[j] + r_p * up[j]) * (uc[j] + up[j]);
+              const double flux_m =
+                (r_m * um[j] + r_c * uc[j]) * (um[j] + uc[j]);
+              const double top =
+                (half_m * wm[j + 1] + half_p * wp[j + 1]) * (uc[j] + uc[j + 1]);
+              const double bottom =
+                (half_m * wm[j] + half_p * wp[j]) * (uc[j - 1] + uc[j]);
+              h = -((flux_p - flux_m) * scale_r + (top - bottom) * inv_dy[j]);
+            }
+          const double viscous_r =
+            visc_p * up[j] - visc_c * uc[j] + visc_m * um[j];
+          const double viscous_y =
+            up_y[j] * (uc[j + 1] - uc[j]) - down[j] * (uc[j] - uc[j - 1]);
+          finish(h,
+                 viscous_r,
+                 viscous_y,
+                 grad * (pp[j] - pm[j]),
+                 uc[j],
+                 hist,
+                 result,
+                 j);
+        }
+    };
 
-    // Axial component.
     const int    first = boundary.first_y_face(), end = boundary.end_y_face();
     const double body_force = factors.body_force;
-    for (int i = grid.first_row; i < grid.end_row(); ++i)
-      {
-        const double         inv_area = 1. / area(i);
-        const double         flux_up  = 0.5 * r.face[i + 1] * inv_area;
-        const double         flux_low = 0.5 * r.face[i] * inv_area;
-        const ViscousStencil stencil  = radial_stencil_of_v_y(grid, i);
-        const double         visc_m = stencil.minus, visc_p = stencil.plus;
+    const auto   axial_row  = [&](const int i) {
+      const double         inv_area = 1. / area(i);
+      const double         flux_up  = 0.5 * r.face[i + 1] * inv_area;
+      const double         flux_low = 0.5 * r.face[i] * inv_area;
+      const ViscousStencil stencil  = radial_stencil_of_v_y(grid, i);
+      const double         visc_m = stencil.minus, visc_p = stencil.plus;
 
-        const double *const wm = u.y.row(i - 1), *const wc = u.y.row(i),
-                            *const wp = u.y.row(i + 1);
-        const double *const um = u.r.row(i), *const up = u.r.row(i + 1);
-        const double *const pc   = p.row(i);
-        const double *const igap = inv_gap.data(), *const grad =
-                                                     gradient.data();
-        const double *const below = mean_below.data(), *const above =
-                                                         mean_above.data();
-        const double *const down = face_down.data(), *const up_y =
-                                                       face_up.data();
-        const double  pressure = factors.pressure;
-        double *const hist     = history.y.row(i);
-        double *const result   = out.y.row(i);
+      const double *const wm = u.y.row(i - 1), *const wc = u.y.row(i),
+                          *const wp = u.y.row(i + 1);
+      const double *const um = u.r.row(i), *const up = u.r.row(i + 1);
+      const double *const pc   = p.row(i);
+      const double *const igap = inv_gap.data(), *const grad = gradient.data();
+      const double *const below = mean_below.data(), *const above =
+                                                       mean_above.data();
+      const double *const down = face_down.data(), *const up_y = face_up.data();
+      const double  pressure = factors.pressure;
+      double *const hist     = history.y.row(i);
+      double *const result   = out.y.row(i);
 #pragma GCC ivdep
-        for (int j = first; j < end; ++j)
-          {
-            double h = body_force;
-            if constexpr (convection)
-              {
-                const double sum_p = wc[j] + wc[j + 1],
-                             sum_m = wc[j - 1] + wc[j];
-                const double flux_p =
-                  flux_up * (below[j] * up[j - 1] + above[j] * up[j]) *
-                  (wc[j] + wp[j]);
-                const double flux_m =
-                  flux_low * (below[j] * um[j - 1] + above[j] * um[j]) *
-                  (wm[j] + wc[j]);
-                h -= 0.25 * (sum_p * sum_p - sum_m * sum_m) * igap[j] +
-                     (flux_p - flux_m);
-              }
-            const double viscous_r =
-              visc_p * (wp[j] - wc[j]) - visc_m * (wc[j] - wm[j]);
-            const double viscous_y =
-              up_y[j] * (wc[j + 1] - wc[j]) - down[j] * (wc[j] - wc[j - 1]);
-            finish(h,
-                   viscous_r,
-                   viscous_y,
-                   pressure * grad[j] * (pc[j] - pc[j - 1]),
-                   wc[j],
-                   hist,
-                   result,
-                   j);
-          }
+      for (int j = first; j < end; ++j)
+        {
+          double h = body_force;
+          if constexpr (convection)
+            {
+              const double sum_p = wc[j] + wc[j + 1], sum_m = wc[j - 1] + wc[j];
+              const double flux_p = flux_up *
+                                    (below[j] * up[j - 1] + above[j] * up[j]) *
+                                    (wc[j] + wp[j]);
+              const double flux_m = flux_low *
+                                    (below[j] * um[j - 1] + above[j] * um[j]) *
+                                    (wm[j] + wc[j]);
+              h -= 0.25 * (sum_p * sum_p - sum_m * sum_m) * igap[j] +
+                   (flux_p - flux_m);
+            }
+          const double viscous_r =
+            visc_p * (wp[j] - wc[j]) - visc_m * (wc[j] - wm[j]);
+          const double viscous_y =
+            up_y[j] * (wc[j + 1] - wc[j]) - down[j] * (wc[j] - wc[j - 1]);
+          finish(h,
+                 viscous_r,
+                 viscous_y,
+                 pressure * grad[j] * (pc[j] - pc[j - 1]),
+                 wc[j],
+                 hist,
+                 result,
+                 j);
+        }
+    };
+
+    // Both components of a row while its neighbours are in cache.
+    const int first_face = boundary.first_r_face(),
+              end_face   = boundary.end_r_face();
+    for (int i = grid.first_row; i < std::max(grid.end_row(), end_face); ++i)
+      {
+        if (i >= first_face && i < end_face)
+          radial_row(i);
+        if (i < grid.end_row())
+          axial_row(i);
       }
   }
 

@@ -262,9 +262,9 @@ namespace ephyra::fluid
   }
 
   void
-  PoissonEigen::solve(DistributedArray  &phi,
-                      const RowFunction &right_hand_side,
-                      const RowFunction &visit)
+  PoissonEigen::solve(DistributedArray    &phi,
+                      const RightHandSide &right_hand_side,
+                      const RowFunction   &visit)
   {
     const int  n_y    = grid.y.n_cells;
     const bool alone  = mpi::size(grid.communicator()) == 1;
@@ -272,9 +272,9 @@ namespace ephyra::fluid
     for (int i = grid.first_row; i < grid.end_row(); ++i)
       {
         double *const row = phi.row(i);
-        right_hand_side(i, row);
+        right_hand_side(i, root_weight[i], row);
         for (int j = 0; j < n_y; ++j)
-          row[j] *= root_weight[i] * grid.y.width[j];
+          row[j] *= grid.y.width[j];
       }
 
     double *const field = phi.row(grid.first_row);

@@ -56,19 +56,16 @@ namespace ephyra::fluid
   }
 
   void
-  PoissonFft::solve(DistributedArray  &phi,
-                    const RowFunction &right_hand_side,
-                    const RowFunction &visit)
+  PoissonFft::solve(DistributedArray    &phi,
+                    const RightHandSide &right_hand_side,
+                    const RowFunction   &visit)
   {
     const int  n_steps = tridiagonal.n_steps();
     const auto fill    = [&](const int s) {
       const int     i   = tridiagonal.row(s);
       double *const row = phi.row(i);
-      right_hand_side(i, row);
-      const double scale =
-        grid.r.centre[i] * grid.r.width[i] / transforms.scale();
-      for (int j = 0; j < grid.y.n_cells; ++j)
-        row[j] *= scale;
+      right_hand_side(
+        i, grid.r.centre[i] * grid.r.width[i] / transforms.scale(), row);
       return row;
     };
     for (int s = 0; s < n_steps; s += 2)

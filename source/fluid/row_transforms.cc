@@ -25,50 +25,36 @@ namespace ephyra::fluid
     {
       switch (ends)
         {
-        case RowEnds::dirichlet_dirichlet:
-          return {FFTW_RODFT10, FFTW_RODFT01};
         case RowEnds::neumann_dirichlet:
           return {FFTW_REDFT11, FFTW_REDFT11};
         case RowEnds::dirichlet_neumann:
           return {FFTW_RODFT11, FFTW_RODFT11};
-        case RowEnds::neumann_neumann:
-          return {FFTW_REDFT10, FFTW_REDFT01};
-        case RowEnds::periodic:
-          break;
+        default:
+          return {FFTW_R2HC, FFTW_HC2R};
         }
-      return {FFTW_R2HC, FFTW_HC2R};
-    }
-
-    fftw_complex *
-    complex(AlignedVector &values)
-    {
-      return reinterpret_cast<fftw_complex *>(values.data());
     }
   } // namespace
 
   RowTransforms::RowTransforms(const int n, const RowEnds ends)
     : n(n)
     , ends(ends)
-    , plans(std::make_unique<Plans>())
-    , in(2 * n)
-    , out(2 * n)
-    , spare_row(n)
   {
-    // Plans that FFTW measures differ from run to run, and so would the results
-    // in their last digits; they are hardly faster.
-    if (ends == RowEnds::neumann_neumann)
+    if (in_pairs())
       {
-        plans->forward = fftw_plan_dft_1d(
-          n, complex(in), complex(out), FFTW_FORWARD, FFTW_ESTIMATE);
-        plans->backward = fftw_plan_dft_1d(
-          n, complex(in), complex(out), FFTW_BACKWARD, FFTW_ESTIMATE);
-        for (int k = 0; k < n; ++k)
+        complex = std::make_unique<ComplexTransform>(n);
+        spare_row.resize(n);
+        for (int position = 0; position < n; ++position)
           {
-            cosine.push_back(std::cos(0.5 * M_PI * k / n));
-            sine.push_back(std::sin(0.5 * M_PI * k / n));
+            const double phase = 0.5 * M_PI * complex->mode(position) / n;
+            cosine.push_back(std::cos(phase));
+            sine.push_back(std::sin(phase));
           }
         return;
       }
+    // Plans that FFTW measures differ from run to run, and so would the results
+    // in their last digits.
+    plans = std::make_unique<Plans>();
+    AlignedVector in(n), out(n);
     const auto [forward, backward] = real_kinds(ends);
     plans->forward =
       fftw_plan_r2r_1d(n, in.data(), in.data(), forward, FFTW_ESTIMATE);
@@ -77,6 +63,13 @@ namespace ephyra::fluid
   }
 
   RowTransforms::~RowTransforms() = default;
+
+  bool
+  RowTransforms::in_pairs() const
+  {
+    return ends == RowEnds::neumann_neumann ||
+           ends == RowEnds::dirichlet_dirichlet;
+  }
 
   double
   RowTransforms::scale() const
@@ -87,19 +80,17 @@ namespace ephyra::fluid
   std::vector<double>
   RowTransforms::eigenvalues(const double h) const
   {
-    // Mode k has the phase pi (k + shift) / n, or 2 pi k / n.
-    double shift = 0.5;
-    if (ends == RowEnds::neumann_neumann)
-      shift = 0;
-    else if (ends == RowEnds::dirichlet_dirichlet)
-      shift = 1;
     std::vector<double> lambda(n);
     for (int k = 0; k < n; ++k)
       {
-        const double half_phase = ends == RowEnds::periodic
-                                    ? M_PI * std::min(k, n - k) / n
-                                    : 0.5 * M_PI * (k + shift) / n;
-        lambda[k]               = std::pow(2. / h * std::sin(half_phase), 2);
+        double half_phase = 0.5 * M_PI * (k + 0.5) / n;
+        if (ends == RowEnds::neumann_neumann)
+          half_phase = 0.5 * M_PI * complex->mode(k) / n;
+        else if (ends == RowEnds::dirichlet_dirichlet)
+          half_phase = 0.5 * M_PI * (n - complex->mode(k)) / n;
+        else if (ends == RowEnds::periodic)
+          half_phase = M_PI * std::min(k, n - k) / n;
+        lambda[k] = std::pow(2. / h * std::sin(half_phase), 2);
       }
     return lambda;
   }
@@ -107,11 +98,11 @@ namespace ephyra::fluid
   void
   RowTransforms::forward(double *const a, double *const b)
   {
-    if (ends == RowEnds::neumann_neumann)
+    if (in_pairs())
       {
         if (b == nullptr)
           std::fill(spare_row.begin(), spare_row.end(), 0.);
-        cosines_forward(a, b == nullptr ? spare_row.data() : b);
+        pair_forward(a, b == nullptr ? spare_row.data() : b);
         return;
       }
     fftw_execute_r2r(plans->forward, a, a);
@@ -125,14 +116,14 @@ namespace ephyra::fluid
                           double *const       x,
                           double *const       y)
   {
-    if (ends == RowEnds::neumann_neumann)
+    if (in_pairs())
       {
         if (b == nullptr)
           std::fill(spare_row.begin(), spare_row.end(), 0.);
-        cosines_backward(a,
-                         b == nullptr ? spare_row.data() : b,
-                         x,
-                         b == nullptr ? spare_row.data() : y);
+        pair_backward(a,
+                      b == nullptr ? spare_row.data() : b,
+                      x,
+                      b == nullptr ? spare_row.data() : y);
         return;
       }
     // FFTW takes no const input but keeps it (FFTW_PRESERVE_INPUT).
@@ -142,103 +133,140 @@ namespace ephyra::fluid
   }
 
   void
-  RowTransforms::cosines_forward(double *const __restrict a,
-                                 double *const __restrict b)
+  RowTransforms::pair_forward(double *const __restrict a,
+                              double *const __restrict b)
   {
     // Values with even index ascending, then those with odd index descending;
     // row a is the real part, row b the imaginary one.
-    const int half                = n / 2;
-    double *const __restrict even = in.data();
+    const int    half = n / 2, last = n - 1;
+    const double sign           = odd_sign();
+    double *const __restrict re = complex->real_values();
+    double *const __restrict im = complex->imaginary_values();
     for (int j = 0; j < half; ++j)
       {
-        even[2 * j]     = a[2 * j];
-        even[2 * j + 1] = b[2 * j];
+        re[j] = a[2 * j];
+        im[j] = b[2 * j];
       }
-    double *const __restrict odd = in.data() + 2 * (n - 1);
     for (int j = 0; j < half; ++j)
       {
-        odd[-2 * j]     = a[2 * j + 1];
-        odd[-2 * j + 1] = b[2 * j + 1];
+        re[last - j] = sign * a[2 * j + 1];
+        im[last - j] = sign * b[2 * j + 1];
       }
     if (n % 2 == 1)
       {
-        even[n - 1] = a[n - 1];
-        even[n]     = b[n - 1];
+        re[half] = a[last];
+        im[half] = b[last];
       }
-    fftw_execute(plans->forward);
+    complex->forward();
 
     // Modes k and n - k of both rows from the pair Z_k, Z_(n - k).
-    const double *const __restrict z  = out.data();
-    const double *const __restrict zn = out.data() + 2 * n;
-    double *const __restrict an       = a + n;
-    double *const __restrict bn       = b + n;
-    const double *const c = cosine.data(), *const s = sine.data();
-    a[0] = 2 * z[0];
-    b[0] = 2 * z[1];
-    for (int k = 1; k <= (n - 1) / 2; ++k)
-      {
-        const double re_a = z[2 * k] + zn[-2 * k];
-        const double im_a = z[2 * k + 1] - zn[-2 * k + 1];
-        const double re_b = z[2 * k + 1] + zn[-2 * k + 1];
-        const double im_b = zn[-2 * k] - z[2 * k];
-        a[k]              = c[k] * re_a + s[k] * im_a;
-        an[-k]            = s[k] * re_a - c[k] * im_a;
-        b[k]              = c[k] * re_b + s[k] * im_b;
-        bn[-k]            = s[k] * re_b - c[k] * im_b;
-      }
+    const double *const z = complex->modes();
+    a[0]                  = 2 * z[0];
+    b[0]                  = 2 * z[1];
+    for_each_pair([&](const int first, const int partner, const int count) {
+      const double *const __restrict zk = z + 2 * first;
+      const double *const __restrict zn = z + 2 * partner;
+      double *const __restrict ak       = a + first;
+      double *const __restrict bk       = b + first;
+      double *const __restrict an       = a + partner;
+      double *const __restrict bn       = b + partner;
+      const double *const c             = cosine.data() + first;
+      const double *const s             = sine.data() + first;
+      for (int k = 0; k < count; ++k)
+        {
+          const double re_a = zk[2 * k] + zn[-2 * k];
+          const double im_a = zk[2 * k + 1] - zn[-2 * k + 1];
+          const double re_b = zk[2 * k + 1] + zn[-2 * k + 1];
+          const double im_b = zn[-2 * k] - zk[2 * k];
+          ak[k]             = c[k] * re_a + s[k] * im_a;
+          an[-k]            = s[k] * re_a - c[k] * im_a;
+          bk[k]             = c[k] * re_b + s[k] * im_b;
+          bn[-k]            = s[k] * re_b - c[k] * im_b;
+        }
+    });
     if (n % 2 == 0)
       {
-        a[half] = 2 * c[half] * z[n];
-        b[half] = 2 * c[half] * z[n + 1];
+        const int m = middle_position();
+        a[m]        = 2 * cosine[m] * z[2 * m];
+        b[m]        = 2 * cosine[m] * z[2 * m + 1];
       }
   }
 
   void
-  RowTransforms::cosines_backward(const double *const __restrict a,
-                                  const double *const __restrict b,
-                                  double *const __restrict x,
-                                  double *const __restrict y)
+  RowTransforms::pair_backward(const double *const __restrict a,
+                               const double *const __restrict b,
+                               double *const __restrict x,
+                               double *const __restrict y)
   {
-    const int half                    = n / 2;
-    double *const __restrict z        = in.data();
-    double *const __restrict zn       = in.data() + 2 * n;
-    const double *const __restrict an = a + n;
-    const double *const __restrict bn = b + n;
-    const double *const c = cosine.data(), *const s = sine.data();
-    z[0] = a[0];
-    z[1] = b[0];
-    for (int k = 1; k <= (n - 1) / 2; ++k)
-      {
-        const double re_a = c[k] * a[k] + s[k] * an[-k];
-        const double im_a = s[k] * a[k] - c[k] * an[-k];
-        const double re_b = c[k] * b[k] + s[k] * bn[-k];
-        const double im_b = s[k] * b[k] - c[k] * bn[-k];
-        z[2 * k]          = re_a - im_b;
-        z[2 * k + 1]      = im_a + re_b;
-        zn[-2 * k]        = re_a + im_b;
-        zn[-2 * k + 1]    = re_b - im_a;
-      }
+    double *const z = complex->modes();
+    z[0]            = a[0];
+    z[1]            = b[0];
+    for_each_pair([&](const int first, const int partner, const int count) {
+      double *const __restrict zk       = z + 2 * first;
+      double *const __restrict zn       = z + 2 * partner;
+      const double *const __restrict ak = a + first;
+      const double *const __restrict bk = b + first;
+      const double *const __restrict an = a + partner;
+      const double *const __restrict bn = b + partner;
+      const double *const c             = cosine.data() + first;
+      const double *const s             = sine.data() + first;
+      for (int k = 0; k < count; ++k)
+        {
+          const double re_a = c[k] * ak[k] + s[k] * an[-k];
+          const double im_a = s[k] * ak[k] - c[k] * an[-k];
+          const double re_b = c[k] * bk[k] + s[k] * bn[-k];
+          const double im_b = s[k] * bk[k] - c[k] * bn[-k];
+          zk[2 * k]         = re_a - im_b;
+          zk[2 * k + 1]     = im_a + re_b;
+          zn[-2 * k]        = re_a + im_b;
+          zn[-2 * k + 1]    = re_b - im_a;
+        }
+    });
     if (n % 2 == 0)
       {
-        z[n]     = 2 * c[half] * a[half];
-        z[n + 1] = 2 * c[half] * b[half];
+        const int m  = middle_position();
+        z[2 * m]     = 2 * cosine[m] * a[m];
+        z[2 * m + 1] = 2 * cosine[m] * b[m];
       }
-    fftw_execute(plans->backward);
+    complex->backward();
 
-    const double *const __restrict even = out.data();
-    const double *const __restrict odd  = out.data() + 2 * (n - 1);
+    const int    half = n / 2, last = n - 1;
+    const double sign                 = odd_sign();
+    const double *const __restrict re = complex->real_values();
+    const double *const __restrict im = complex->imaginary_values();
     for (int j = 0; j < half; ++j)
       {
-        x[2 * j]     = even[2 * j];
-        y[2 * j]     = even[2 * j + 1];
-        x[2 * j + 1] = odd[-2 * j];
-        y[2 * j + 1] = odd[-2 * j + 1];
+        x[2 * j]     = re[j];
+        y[2 * j]     = im[j];
+        x[2 * j + 1] = sign * re[last - j];
+        y[2 * j + 1] = sign * im[last - j];
       }
     if (n % 2 == 1)
       {
-        x[n - 1] = even[n - 1];
-        y[n - 1] = even[n];
+        x[last] = re[half];
+        y[last] = im[half];
       }
+  }
+
+  template <typename Function>
+  void
+  RowTransforms::for_each_pair(const Function &function) const
+  {
+    // Mode k = k1 + p k2 lies at k1 q + k2: its partner n - k is the mirrored
+    // one in the block p - k1, or the mirrored one about 0 in the block 0.
+    const int p = complex->radix(), q = n / p;
+    function(1, q - 1, (q - 1) / 2);
+    for (int k1 = 1; 2 * k1 < p; ++k1)
+      function(k1 * q, (p - k1) * q + q - 1, q);
+    if (p % 2 == 0)
+      function(p / 2 * q, p / 2 * q + q - 1, q / 2);
+  }
+
+  int
+  RowTransforms::middle_position() const
+  {
+    const int p = complex->radix(), q = n / p;
+    return q % 2 == 0 ? q / 2 : p / 2 * q + q / 2;
   }
 
   bool

@@ -15,9 +15,9 @@ namespace ephyra::fluid
     PoissonFft(const StaggeredGrid &grid, const PoissonSides &sides);
 
     void
-    solve(DistributedArray  &phi,
-          const RowFunction &right_hand_side,
-          const RowFunction &visit) override;
+    solve(DistributedArray    &phi,
+          const RightHandSide &right_hand_side,
+          const RowFunction   &visit) override;
     using PoissonSolver::solve;
 
     std::string

@@ -36,23 +36,32 @@ namespace ephyra::fluid
   public:
     /// Work on the data of the owned row i, n_y values.
     using RowFunction = std::function<void(int i, double *row)>;
+    /// Fills the row with @p factor times the right-hand side.
+    using RightHandSide =
+      std::function<void(int i, double factor, double *row)>;
 
     virtual ~PoissonSolver() = default;
 
-    /// @p right_hand_side fills the rows of @p phi with f, in any order;
+    /// @p right_hand_side fills the rows of @p phi, in any order;
     /// @p visit sees the rows of the solution, from one end of the rank's rows
     /// to the other, while they are in cache. Collective.
     virtual void
-    solve(DistributedArray  &phi,
-          const RowFunction &right_hand_side,
-          const RowFunction &visit) = 0;
+    solve(DistributedArray    &phi,
+          const RightHandSide &right_hand_side,
+          const RowFunction   &visit) = 0;
 
     /// On entry f, on return the solution; owned rows.
     void
     solve(DistributedArray &phi)
     {
+      const int n = phi.grid().y.n_cells;
       solve(
-        phi, [](int, double *) {}, [](int, double *) {});
+        phi,
+        [n](int, const double factor, double *const row) {
+          for (int j = 0; j < n; ++j)
+            row[j] *= factor;
+        },
+        [](int, double *) {});
     }
 
     virtual std::string

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ephyra/fluid/aligned_vector.h"
+#include "ephyra/fluid/complex_transform.h"
 
 #include <memory>
 #include <vector>
@@ -20,7 +20,9 @@ namespace ephyra::fluid
   /// Discrete transforms that diagonalise the second difference along a row.
   /// Cosines, the case that counts, are computed for two rows at a time from
   /// one complex Fourier transform of length n (Makhoul 1980,
-  /// 10.1109/TASSP.1980.1163351), the others by FFTW's real transforms.
+  /// 10.1109/TASSP.1980.1163351); so are sines, which are the cosines of the
+  /// values with alternating signs in reversed order; the others by FFTW's real
+  /// transforms.
   class RowTransforms
   {
   public:
@@ -47,19 +49,34 @@ namespace ephyra::fluid
     backward(const double *a, const double *b, double *x, double *y);
 
   private:
+    bool
+    in_pairs() const;
+    double
+    odd_sign() const
+    {
+      return ends == RowEnds::dirichlet_dirichlet ? -1. : 1.;
+    }
     void
-    cosines_forward(double *a, double *b);
+    pair_forward(double *a, double *b);
     void
-    cosines_backward(const double *a, const double *b, double *x, double *y);
+    pair_backward(const double *a, const double *b, double *x, double *y);
+    /// Calls f(first, partner, count) for runs of modes k in the positions
+    /// first ... with their partners n - k in partner, partner - 1, ...
+    template <typename Function>
+    void
+    for_each_pair(const Function &function) const;
+    /// Position of mode n / 2.
+    int
+    middle_position() const;
 
     struct Plans;
 
-    const int              n;
-    const RowEnds          ends;
-    std::unique_ptr<Plans> plans;
-    AlignedVector          in, out;      ///< complex, interleaved
-    AlignedVector          cosine, sine; ///< of pi k / (2 n)
-    AlignedVector          spare_row;    ///< partner of a single row
+    const int                         n;
+    const RowEnds                     ends;
+    std::unique_ptr<ComplexTransform> complex;
+    std::unique_ptr<Plans>            plans;
+    AlignedVector                     cosine, sine; ///< of pi k / (2 n)
+    AlignedVector                     spare_row;    ///< partner of a single row
   };
 
   /// Whether n has prime factors above 7, with which transforms are slow; the
