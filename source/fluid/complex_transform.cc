@@ -11,8 +11,6 @@ namespace ephyra::fluid
 {
   namespace
   {
-    constexpr int largest_radix = 64;
-
     /// Values of eight columns in two vector registers.
     struct Vector
     {
@@ -132,7 +130,9 @@ namespace ephyra::fluid
     choose_radix(const int n)
     {
       int best = 1;
-      for (int p = 2; p <= std::min(largest_radix, n / Vector::size); ++p)
+      for (int p = 2;
+           p <= std::min(ComplexTransform::largest_radix, n / Vector::size);
+           ++p)
         if (n % p == 0 && step_cost(p) + transform_cost(n / p) <
                             step_cost(best) + transform_cost(n / best))
           best = p;

@@ -110,10 +110,10 @@ namespace ephyra::fluid
     prm.declare_entry(
       "Poisson solver",
       "automatic",
-      patterns::Selection("automatic|fft|eigen"),
-      "fft: transforms in y (uniform axial spacing). eigen: "
-      "eigenvectors in r (any spacing). automatic: fft where it "
-      "is possible.");
+      patterns::Selection("automatic|fft|hybrid|eigen"),
+      "fft: transforms in y (uniform axial spacing). eigen: eigenvectors in r "
+      "(any spacing). hybrid: transforms in a uniform block of y, eigenvectors "
+      "in stretched ends. automatic: the cheapest that fits the grid.");
     prm.declare_entry("Initial radial velocity",
                       "0",
                       patterns::Expression({"r", "y"}, "m/s"),
@@ -149,6 +149,7 @@ namespace ephyra::fluid
     const std::string solver = prm.get("Poisson solver");
     poisson                  = solver == "automatic" ? PoissonKind::automatic
                                : solver == "fft"     ? PoissonKind::fft
+                               : solver == "hybrid"  ? PoissonKind::hybrid
                                                      : PoissonKind::eigen;
     initial_radial_velocity  = prm.get("Initial radial velocity");
     initial_axial_velocity   = prm.get("Initial axial velocity");

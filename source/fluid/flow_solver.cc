@@ -54,13 +54,14 @@ namespace ephyra::fluid
          << " cells, smallest " << the_grid.r.smallest_width() << " m x "
          << the_grid.y.smallest_width() << " m, largest stretching ratio "
          << the_grid.r.largest_ratio() << " and " << the_grid.y.largest_ratio()
-         << ", Poisson solver \"" << poisson_solver->name() << "\".";
+         << ", Poisson solver \"" << poisson_solver->name() << "\" ("
+         << choose_poisson_solver(p.poisson, the_grid).reason << ").";
     log().line(text.str());
     if (poisson_solver->name() == "fft" &&
         is_awkward_length(the_grid.y.n_cells))
       log().line("Flow: transforms are faster with " +
                  std::to_string(next_good_length(the_grid.y.n_cells)) +
-                 " cells in y (no prime factor above 7).");
+                 " cells in y (no large prime factors).");
 
     const auto component = [](const std::string &formula) -> Component {
       const auto expression = std::make_shared<const Expression>(

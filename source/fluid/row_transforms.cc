@@ -1,5 +1,7 @@
 #include "ephyra/fluid/row_transforms.h"
 
+#include "ephyra/base/exceptions.h"
+
 #include <fftw3.h>
 
 #include <algorithm>
@@ -54,12 +56,11 @@ namespace ephyra::fluid
     // Plans that FFTW measures differ from run to run, and so would the results
     // in their last digits.
     plans = std::make_unique<Plans>();
-    AlignedVector in(n), out(n);
+    buffer.resize(n);
+    double *const data             = buffer.data();
     const auto [forward, backward] = real_kinds(ends);
-    plans->forward =
-      fftw_plan_r2r_1d(n, in.data(), in.data(), forward, FFTW_ESTIMATE);
-    plans->backward = fftw_plan_r2r_1d(
-      n, in.data(), out.data(), backward, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+    plans->forward  = fftw_plan_r2r_1d(n, data, data, forward, FFTW_ESTIMATE);
+    plans->backward = fftw_plan_r2r_1d(n, data, data, backward, FFTW_ESTIMATE);
   }
 
   RowTransforms::~RowTransforms() = default;
@@ -95,6 +96,17 @@ namespace ephyra::fluid
     return lambda;
   }
 
+  AlignedVector
+  RowTransforms::value_weights(AlignedVector modes_of_one) const
+  {
+    // The transforms are transposed, but for the constant (or alternating) mode
+    // with twice the norm.
+    EphyraAssert(ends != RowEnds::periodic, "Fourier modes have other weights");
+    if (in_pairs())
+      modes_of_one[0] *= 0.5;
+    return modes_of_one;
+  }
+
   void
   RowTransforms::forward(double *const a, double *const b)
   {
@@ -105,9 +117,13 @@ namespace ephyra::fluid
         pair_forward(a, b == nullptr ? spare_row.data() : b);
         return;
       }
-    fftw_execute_r2r(plans->forward, a, a);
-    if (b != nullptr)
-      fftw_execute_r2r(plans->forward, b, b);
+    for (double *const row : {a, b})
+      if (row != nullptr)
+        {
+          std::copy_n(row, n, buffer.data());
+          fftw_execute(plans->forward);
+          std::copy_n(buffer.data(), n, row);
+        }
   }
 
   void
@@ -126,10 +142,15 @@ namespace ephyra::fluid
                       b == nullptr ? spare_row.data() : y);
         return;
       }
-    // FFTW takes no const input but keeps it (FFTW_PRESERVE_INPUT).
-    fftw_execute_r2r(plans->backward, const_cast<double *>(a), x);
+    const auto transform = [&](const double *const modes,
+                               double *const       values) {
+      std::copy_n(modes, n, buffer.data());
+      fftw_execute(plans->backward);
+      std::copy_n(buffer.data(), n, values);
+    };
+    transform(a, x);
     if (b != nullptr)
-      fftw_execute_r2r(plans->backward, const_cast<double *>(b), y);
+      transform(b, y);
   }
 
   void
@@ -273,10 +294,10 @@ namespace ephyra::fluid
   is_awkward_length(const int n)
   {
     int rest = n;
-    for (const int factor : {2, 3, 5, 7})
+    for (const int factor : {2, 3, 5, 7, 11, 13})
       while (rest % factor == 0)
         rest /= factor;
-    return rest > 1;
+    return rest > ComplexTransform::largest_radix;
   }
 
   int

@@ -277,7 +277,7 @@ namespace ephyra::fluid
   }
 
   void
-  RowTridiagonal::solve_interfaces()
+  RowTridiagonal::solve_interfaces(const bool add)
   {
     if (n_ranks == 1)
       return;
@@ -360,16 +360,17 @@ namespace ephyra::fluid
                   MPI_DOUBLE,
                   comm);
     const double *from = own_values.data();
+    const auto    take = [&](AlignedVector &values, const int q) {
+      double *const to = &values[share_first[q]];
+      for (int c = 0; c < share_count[q]; ++c)
+        to[c] = add ? to[c] + from[c] : from[c];
+      from += share_count[q];
+    };
     for (int q = 0; q < n_ranks; ++q)
       {
-        const int c = share_count[q];
         if (middle)
-          {
-            std::copy(from, from + c, &x_behind[share_first[q]]);
-            from += c;
-          }
-        std::copy(from, from + c, &x_ahead[share_first[q]]);
-        from += c;
+          take(x_behind, q);
+        take(x_ahead, q);
       }
   }
 

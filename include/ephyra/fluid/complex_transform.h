@@ -17,8 +17,10 @@ namespace ephyra::fluid
   class ComplexTransform
   {
   public:
+    static constexpr int largest_radix = 64;
+
     explicit ComplexTransform(int n);
-    /// With a given divisor of n as radix.
+    /// With a given divisor of n, at most largest_radix, as radix.
     ComplexTransform(int n, int radix);
     ~ComplexTransform();
 

@@ -47,8 +47,9 @@ namespace ephyra::fluid
 
   enum class PoissonKind
   {
-    automatic, ///< fft where y is uniform
+    automatic, ///< the cheapest that fits the grid
     fft,
+    hybrid,
     eigen
   };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "ephyra/fluid/poisson_solver.h"
+#include "ephyra/fluid/radial_modes.h"
 #include "ephyra/fluid/row_tridiagonal.h"
+#include "ephyra/fluid/transposition.h"
 
 namespace ephyra::fluid
 {
@@ -29,24 +31,13 @@ namespace ephyra::fluid
     }
 
   private:
-    using Columns = mpi::Share; ///< of this rank after the transposition
-
-    /// Fills root_weight and vectors; returns the eigenvalues.
-    std::vector<double>
-    decompose(bool outer_dirichlet);
-    /// Copies owned rows to all rows of own columns, or back.
-    void
-    transpose(DistributedArray &phi, bool to_columns);
-
-    const StaggeredGrid &grid;
-    const int            n_r;
-    const Columns        columns;
-    std::vector<double>  root_weight; ///< sqrt(rc_i dr_i) of all rows
-    AlignedVector        vectors;     ///< of the symmetric form, column-major
-    std::vector<double>  eigenvalues; ///< of the negative operator, 1/m^2
-    RowTridiagonal       tridiagonal;
-    AlignedVector        modes;  ///< [own column][mode]
-    AlignedVector        values; ///< several ranks: [own column][row]
-    AlignedVector        buffer, send_buffer;
+    const StaggeredGrid           &grid;
+    const int                      n_r;
+    const mpi::Share               columns; ///< of this rank, transposed
+    const RadialModes              radial;
+    RowTridiagonal                 tridiagonal;
+    AlignedVector                  modes;  ///< [own column][mode]
+    AlignedVector                  values; ///< several ranks: [own column][row]
+    std::unique_ptr<Transposition> transposition; ///< several ranks
   };
 } // namespace ephyra::fluid

@@ -68,9 +68,20 @@ namespace ephyra::fluid
     name() const = 0;
   };
 
-  /// "fft" or "eigen", or the cheapest that is exact on the grid. Throws
-  /// InputError where the choice does not fit the grid.
   enum class PoissonKind;
+
+  /// A choice, never automatic, and why: for the log.
+  struct PoissonChoice
+  {
+    PoissonKind kind;
+    std::string reason;
+  };
+  /// The kind itself, or the cheapest that fits the grid: fft where y is
+  /// uniform, else hybrid or eigen by their estimated cost.
+  PoissonChoice
+  choose_poisson_solver(PoissonKind kind, const StaggeredGrid &grid);
+
+  /// Throws InputError where the choice does not fit the grid.
   std::unique_ptr<PoissonSolver>
   make_poisson_solver(PoissonKind          kind,
                       const StaggeredGrid &grid,

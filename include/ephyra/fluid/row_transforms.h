@@ -40,8 +40,12 @@ namespace ephyra::fluid
     std::vector<double>
     eigenvalues(double h) const;
 
-    /// Values to modes, in place, of two rows that start on a cache line; or
-    /// of one row: @p b null.
+    /// Weights of the modes in the value x_j of backward(), from the modes that
+    /// forward() makes of a single 1 in x_j.
+    AlignedVector
+    value_weights(AlignedVector modes_of_one) const;
+
+    /// Values to modes, in place, of two rows, or of one: @p b null.
     void
     forward(double *a, double *b);
     /// Modes a, b to values x, y; b and y null for one row.
@@ -77,10 +81,12 @@ namespace ephyra::fluid
     std::unique_ptr<Plans>            plans;
     AlignedVector                     cosine, sine; ///< of pi k / (2 n)
     AlignedVector                     spare_row;    ///< partner of a single row
+    AlignedVector                     buffer; ///< of FFTW's real transforms
   };
 
-  /// Whether n has prime factors above 7, with which transforms are slow; the
-  /// next number that has none.
+  /// Whether the prime factors of n above 13 have a product above the largest
+  /// radix of ComplexTransform, with which transforms are slow; the next number
+  /// of which that is not so.
   bool
   is_awkward_length(int n);
   int

@@ -57,9 +57,10 @@ namespace ephyra::fluid
 
     void
     eliminate(int s, double *f);
-    /// Collective.
+    /// @p add: the rows eliminated since are right-hand sides to be added to
+    /// those of the solution before. Collective.
     void
-    solve_interfaces();
+    solve_interfaces(bool add = false);
     /// @p x may be the same row as @p f; it is read again by the next call.
     void
     substitute(int s, const double *f, double *x);
