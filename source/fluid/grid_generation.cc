@@ -138,7 +138,8 @@ namespace ephyra::fluid
                       "0.03125",
                       widths,
                       "Width of the cells at the axial breakpoints. A uniform "
-                      "axial spacing makes the flow about three times faster.");
+                      "axial spacing, or a long uniform block, makes the flow "
+                      "faster.");
     prm.declare_entry("Stretching",
                       "geometric",
                       patterns::Selection("geometric|smooth"),
