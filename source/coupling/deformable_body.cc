@@ -104,6 +104,12 @@ namespace ephyra::coupling
     return result;
   }
 
+  double
+  DeformableBody::centre_of_mass() const
+  {
+    return solver.body().centre_of_mass(solver.old_displacement());
+  }
+
   void
   DeformableBody::serialize(Archive &archive)
   {

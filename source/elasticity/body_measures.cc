@@ -132,6 +132,18 @@ namespace ephyra::elasticity
     return force;
   }
 
+  double
+  ElasticityOperator::centre_of_mass(const std::vector<double> &u) const
+  {
+    double mass = 0., moment = 0.;
+    for (std::size_t a = 0; a < lumped_mass.size(); ++a)
+      {
+        mass += lumped_mass[a];
+        moment += lumped_mass[a] * (reference[2 * a + 1] + u[2 * a + 1]);
+      }
+    return moment / mass;
+  }
+
   BodyMeasures
   ElasticityOperator::measures(const std::vector<double> &u,
                                const std::vector<double> &v,
@@ -168,10 +180,8 @@ namespace ephyra::elasticity
       {
         out.mass += lumped_mass[a];
         out.momentum += lumped_mass[a] * v[2 * a + 1];
-        out.centre_of_mass +=
-          lumped_mass[a] * (reference[2 * a + 1] + u[2 * a + 1]);
       }
-    out.centre_of_mass /= out.mass;
+    out.centre_of_mass = centre_of_mass(u);
     out.volume         = mpi::sum(volume, comm);
     out.elastic_energy = mpi::sum(energy, comm);
     out.smallest_J     = mpi::min(smallest, comm);

@@ -128,6 +128,7 @@ namespace ephyra::fluid
                       "Uniform force along y for each volume, or the negative "
                       "of a uniform pressure gradient.");
     GridParameters::declare(prm);
+    MovingWindowParameters::declare(prm);
     for (const char *name : side_names)
       declare_side(prm, name, name != side_names[2]);
   }
@@ -155,6 +156,7 @@ namespace ephyra::fluid
     initial_axial_velocity   = prm.get("Initial axial velocity");
     body_force               = prm.get("Axial body force");
     grid.parse(prm);
+    window.parse(prm);
     lower = parse_side(prm, side_names[0]);
     upper = parse_side(prm, side_names[1]);
     outer = parse_side(prm, side_names[2]);
@@ -163,6 +165,11 @@ namespace ephyra::fluid
       prm.add_error("Lower boundary/Type",
                     "is periodic only together with the upper boundary: set "
                     "both, or none.");
+    if (window.on() && periodic_y())
+      prm.add_error("Moving window/Follow",
+                    "is given, but the flow is periodic along y, which has no "
+                    "ends that could move: choose other boundaries, or no "
+                    "window.");
   }
 
   void
@@ -179,5 +186,9 @@ namespace ephyra::fluid
                     << density << " kg/m^3 and the viscosity " << viscosity
                     << " Pa s: the first must be positive, the second not "
                        "negative.");
+    EphyraThrowIf(window.on() && periodic_y(),
+                  InputError,
+                  "The flow is periodic along y and cannot be a moving window: "
+                  "choose other lower and upper boundaries.");
   }
 } // namespace ephyra::fluid

@@ -49,6 +49,10 @@ namespace ephyra::fluid
     , new_pressure(the_grid)
     , phi(the_grid)
   {
+    EphyraThrowIf(parameters.window.on() && !the_grid.y.uniform,
+                  InputError,
+                  "A moving window needs a uniform axial spacing: give one "
+                  "value of Fluid/Grid/Axial spacings.");
     std::ostringstream text;
     text << "Flow: " << the_grid.r.n_cells << " x " << the_grid.y.n_cells
          << " cells, smallest " << the_grid.r.smallest_width() << " m x "
@@ -80,6 +84,8 @@ namespace ephyra::fluid
   FlowSolver::set_initial_velocity(const Component &radial,
                                    const Component &axial)
   {
+    initial_radial    = radial;
+    initial_axial     = axial;
     const GridLine &r = the_grid.r, &y = the_grid.y;
     const int end_face = the_grid.end_row() + (the_grid.is_last_rank() ? 1 : 0);
     for (int i = std::max(1, the_grid.first_row); i < end_face; ++i)
@@ -451,6 +457,13 @@ namespace ephyra::fluid
     };
     if (archive.reading())
       projected = true;
+    if (parameters.window.on())
+      {
+        std::int64_t shift = the_grid.shift();
+        archive.value("window shift", shift);
+        the_grid.shift_y(static_cast<int>(shift) - the_grid.shift());
+        boundary.forget_values();
+      }
     DistributedArray &pressure = projected ? new_pressure : old_pressure;
     save("velocity", current);
     archive.rows(

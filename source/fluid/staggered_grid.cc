@@ -111,6 +111,7 @@ namespace ephyra::fluid
     , y(close_periodic(std::move(y), periodic_y))
     , periodic_y(periodic_y)
     , comm(comm)
+    , start_faces(this->y.face)
   {
     EphyraThrowIf(this->r.face.front() != 0,
                   InputError,
@@ -128,5 +129,23 @@ namespace ephyra::fluid
       mpi::share(this->r.n_cells, mpi::rank(comm), n_ranks);
     first_row = share.first;
     n_rows    = share.count;
+  }
+
+  double
+  StaggeredGrid::shift_distance() const
+  {
+    return shifted * ((start_faces.back() - start_faces.front()) / y.n_cells);
+  }
+
+  void
+  StaggeredGrid::shift_y(const int n_cells)
+  {
+    EphyraAssert(y.uniform && !periodic_y, "only a uniform y can be shifted");
+    shifted += n_cells;
+    const double distance = shift_distance();
+    for (int j = 0; j <= y.n_cells; ++j)
+      y.face[j] = start_faces[j] + distance;
+    for (int j = 0; j < y.n_cells; ++j)
+      y.centre[j] = 0.5 * (y.face[j] + y.face[j + 1]);
   }
 } // namespace ephyra::fluid

@@ -343,11 +343,12 @@ namespace ephyra::immersed_boundary
           }
         {
           const TimerTree::Scope scope(timer(), "forcing", the_markers->size());
-          if (moved || !forcing_valid)
+          if (moved || !forcing_valid || forcing_shift != flow.grid().shift())
             {
               place_markers(positions);
               forcing.update(*the_markers);
               forcing_valid = true;
+              forcing_shift = flow.grid().shift();
             }
           const MarkerState &m = the_markers->state();
           target               = m.v_r;

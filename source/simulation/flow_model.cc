@@ -10,8 +10,10 @@ namespace ephyra::simulation
 {
   FlowModel::FlowModel(const Scene &scene, const MPI_Comm comm)
     : flow(std::make_unique<fluid::FlowSolver>(scene.fluid, comm))
-    , probes(std::make_unique<FlowProbes>(
-        scene.flow_sampling, scene.immersed_boundary, flow->grid()))
+    , probes(std::make_unique<FlowProbes>(scene.flow_sampling,
+                                          scene.immersed_boundary,
+                                          flow->grid(),
+                                          scene.fluid.window.on()))
     , regions(scene.flow_regions)
   {
     using immersed_boundary::RigidBody;
@@ -28,11 +30,19 @@ namespace ephyra::simulation
       list.push_back(std::make_unique<RigidBody>(parameters));
     bodies = std::make_unique<immersed_boundary::RigidFlow>(
       *flow, std::move(list), scene.immersed_boundary);
+    if (!scene.fluid.window.on())
+      return;
+    while (bodies->body(followed).parameters.name != scene.fluid.window.follow)
+      ++followed; // the scene has been checked
+    window = std::make_unique<fluid::MovingWindow>(
+      scene.fluid.window, *flow, bodies->body(followed).position);
   }
 
   StepStatus
   FlowModel::advance(const double t, const double dt)
   {
+    if (window)
+      window->follow(bodies->body(followed).position);
     StepStatus status;
     if (bodies)
       status = bodies->advance(t, dt);
@@ -63,6 +73,8 @@ namespace ephyra::simulation
   {
     if (bodies)
       bodies->evaluate(record);
+    if (window)
+      window->evaluate(record);
     record.add("kinetic energy [J]",
                fluid::kinetic_energy(flow->velocity(), flow->density()));
     const fluid::VorticityIntegrals vorticity =

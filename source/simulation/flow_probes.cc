@@ -26,9 +26,20 @@ namespace ephyra::simulation
     }
 
     void
+    declare_frame(ParameterHandler &prm)
+    {
+      prm.declare_entry("Frame",
+                        "fixed",
+                        patterns::Selection("fixed|window"),
+                        "window: moves with the moving window of the flow, "
+                        "the given place is that at the start.");
+    }
+
+    void
     declare_probe(ParameterHandler &prm)
     {
       declare_point(prm, "Point", "(r, y) of the point.");
+      declare_frame(prm);
     }
 
     void
@@ -40,6 +51,7 @@ namespace ephyra::simulation
                         "100",
                         patterns::Integer(1),
                         "Number of intervals between the points.");
+      declare_frame(prm);
     }
 
     std::array<double, 2>
@@ -74,7 +86,7 @@ namespace ephyra::simulation
       {
         const ParameterHandler::Section section(prm, "Flow probe " + name);
         const auto                      point = parse_point(prm, "Point");
-        probes.push_back({name, point, point, 0});
+        probes.push_back({name, point, point, 0, prm.get("Frame") == "window"});
       }
     for (const std::string &name : prm.instances("Flow line"))
       {
@@ -82,51 +94,85 @@ namespace ephyra::simulation
         lines.push_back({name,
                          parse_point(prm, "Start"),
                          parse_point(prm, "End"),
-                         prm.get_integer("Intervals")});
+                         prm.get_integer("Intervals"),
+                         prm.get("Frame") == "window"});
       }
   }
 
   FlowProbes::FlowProbes(const FlowSampling                  &sampling,
                          const immersed_boundary::Parameters &interpolation,
-                         const fluid::StaggeredGrid          &grid)
+                         const fluid::StaggeredGrid          &grid,
+                         const bool                           window)
+    : grid(grid)
+    , mls(grid, interpolation)
   {
-    const immersed_boundary::MovingLeastSquares mls(grid, interpolation);
+    const auto add = [&](const FlowSampling::Line &line) {
+      Series series{line, {}, {}};
+      for (int k = 0; k <= line.intervals; ++k)
+        {
+          const auto x = line.point(k);
+          // Along y a window comes to any point at some time.
+          EphyraThrowIf(
+            !mls.contains(x[0],
+                          window && !line.moves ? grid.y.centre[0] : x[1]),
+            InputError,
+            "The point (r, y) = ("
+              << x[0] << ", " << x[1] << ") m of the flow probe or line '"
+              << line.name
+              << "' is outside of the grid; move it or widen the grid.");
+          std::ostringstream distance;
+          distance << std::hypot(x[0] - line.start[0], x[1] - line.start[1]);
+          series.distances.push_back(distance.str());
+        }
+      place(series);
+      return series;
+    };
     for (const auto &probe : sampling.probes)
-      probes.push_back(series(probe, mls));
+      probes.push_back(add(probe));
     for (const auto &line : sampling.lines)
-      lines.push_back(series(line, mls));
+      lines.push_back(add(line));
   }
 
-  FlowProbes::Series
-  FlowProbes::series(const FlowSampling::Line                    &line,
-                     const immersed_boundary::MovingLeastSquares &mls) const
+  std::array<double, 2>
+  FlowSampling::Line::point(const int k) const
+  {
+    const double s = intervals == 0 ? 0. : 1. * k / intervals;
+    return {
+      {start[0] + s * (end[0] - start[0]), start[1] + s * (end[1] - start[1])}};
+  }
+
+  void
+  FlowProbes::place(Series &series) const
   {
     using immersed_boundary::MovingLeastSquares;
-    Series result;
-    result.name = line.name;
+    const FlowSampling::Line &line = series.line;
+    const double              move = line.moves ? grid.shift_distance() : 0.;
+    series.points.clear();
     for (int k = 0; k <= line.intervals; ++k)
       {
-        const double s  = line.intervals == 0 ? 0. : 1. * k / line.intervals;
-        const double dr = s * (line.end[0] - line.start[0]);
-        const double dy = s * (line.end[1] - line.start[1]);
-        const double r = line.start[0] + dr, y = line.start[1] + dy;
-        EphyraThrowIf(!mls.contains(r, y),
-                      InputError,
-                      "The point (r, y) = ("
-                        << r << ", " << y << ") m of the flow probe or line '"
-                        << line.name
-                        << "' is outside of the grid; move it or widen the "
-                           "grid.");
+        const double r = line.point(k)[0], y = line.point(k)[1] + move;
+        if (!mls.contains(r, y))
+          {
+            series.points.clear();
+            return;
+          }
         const auto rf = mls.r_faces(r), rc = mls.r_centres(r);
         const auto yf = mls.y_faces(y), yc = mls.y_centres(y);
-        result.points.push_back({MovingLeastSquares::value(rf, yc),
+        series.points.push_back({MovingLeastSquares::value(rf, yc),
                                  MovingLeastSquares::value(rc, yf),
                                  MovingLeastSquares::value(rc, yc)});
-        std::ostringstream distance;
-        distance << std::hypot(dr, dy);
-        result.distances.push_back(distance.str());
       }
-    return result;
+  }
+
+  void
+  FlowProbes::follow_grid()
+  {
+    if (grid.shift() == placed_at)
+      return;
+    for (auto *list : {&probes, &lines})
+      for (Series &series : *list)
+        place(series);
+    placed_at = grid.shift();
   }
 
   std::vector<double>
@@ -152,36 +198,46 @@ namespace ephyra::simulation
   void
   FlowProbes::write_probes(const double             time,
                            const fluid::FlowSolver &flow,
-                           RunOutput               &output) const
+                           RunOutput               &output)
   {
+    follow_grid();
     for (const Series &probe : probes)
       {
+        if (probe.points.empty())
+          continue;
         const std::vector<double> values = evaluate(probe, flow);
         Record                    record;
         for (int k = 0; k < 3; ++k)
           record.add(columns[k] + " " + units[k], values[k]);
-        output.add_row("probes/" + probe.name, time, record);
+        output.add_row("probes/" + probe.line.name, time, record);
       }
   }
 
   void
-  FlowProbes::add_results(const fluid::FlowSolver &flow, Record &record) const
+  FlowProbes::add_results(const fluid::FlowSolver &flow, Record &record)
   {
+    follow_grid();
     for (const Series &probe : probes)
       {
+        if (probe.points.empty())
+          continue;
         const std::vector<double> values = evaluate(probe, flow);
         for (int k = 0; k < 3; ++k)
-          record.add(probe.name + " " + columns[k] + " " + units[k], values[k]);
+          record.add(probe.line.name + " " + columns[k] + " " + units[k],
+                     values[k]);
       }
   }
 
   void
   FlowProbes::write_lines(const double             time,
                           const fluid::FlowSolver &flow,
-                          RunOutput               &output) const
+                          RunOutput               &output)
   {
+    follow_grid();
     for (const Series &line : lines)
       {
+        if (line.points.empty())
+          continue;
         const std::vector<double> values = evaluate(line, flow);
         for (std::size_t k = 0; k < 3; ++k)
           {
@@ -189,7 +245,7 @@ namespace ephyra::simulation
             for (std::size_t i = k; i < values.size(); i += 3)
               row.push_back(values[i]);
             output.add_profile(
-              line.name + "_" + files[k], time, line.distances, row);
+              line.line.name + "_" + files[k], time, line.distances, row);
           }
       }
   }

@@ -1,6 +1,7 @@
 #include "ephyra/simulation/scene_checks.h"
 
 #include "ephyra/base/exceptions.h"
+#include "ephyra/simulation/window_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -271,6 +272,8 @@ namespace ephyra::simulation
       check_rigid_bodies(scene, *grid, prm);
     if (scene.elasticity && scene.flow)
       check_coupling(scene, prm);
+    if (scene.flow)
+      check_window(scene, grid ? &grid->y : nullptr, prm);
     warn_of_unused_sections(scene, prm);
   }
 } // namespace ephyra::simulation

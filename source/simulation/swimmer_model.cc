@@ -14,6 +14,9 @@ namespace ephyra::simulation
     flow = std::make_unique<fluid::FlowSolver>(scene.fluid, comm);
     flow->check_time_step(scene.time.time_step);
     body = build_body(scene, shape, comm);
+    if (scene.fluid.window.on())
+      window = std::make_unique<fluid::MovingWindow>(
+        scene.fluid.window, *flow, body->centre_of_mass());
     std::vector<splines::Side> wet_sides;
     // The ends of a periodic body do not touch the flow.
     const elasticity::Tie tie = scene.mechanics.body.tie;
@@ -33,8 +36,10 @@ namespace ephyra::simulation
       scene.coupling, *flow, *body, *surface);
     body_output    = std::make_unique<BodyOutput>(*body, scene.body_probes);
     surface_output = std::make_unique<SurfaceOutput>(*body, *surface, *flow);
-    flow_probes    = std::make_unique<FlowProbes>(
-      scene.flow_sampling, scene.immersed_boundary, flow->grid());
+    flow_probes    = std::make_unique<FlowProbes>(scene.flow_sampling,
+                                               scene.immersed_boundary,
+                                               flow->grid(),
+                                               scene.fluid.window.on());
     for (const TracerParameters &parameters : scene.tracers)
       tracers.emplace_back(parameters, scene.fluid, flow->velocity());
   }
@@ -42,6 +47,8 @@ namespace ephyra::simulation
   StepStatus
   SwimmerModel::advance(const double t, const double dt)
   {
+    if (window)
+      window->follow(body->centre_of_mass());
     StepStatus status = scheme->advance(t, dt);
     if (!status.success)
       return status;
@@ -65,6 +72,8 @@ namespace ephyra::simulation
   SwimmerModel::evaluate(Record &record)
   {
     scheme->evaluate(record);
+    if (window)
+      window->evaluate(record);
     for (const FlowRegion &region : regions)
       region.evaluate(*flow, record);
     for (const Tracers &set : tracers)

@@ -74,6 +74,9 @@ namespace ephyra::coupling
     {
       return solver.body().parameters().density;
     }
+    /// At the accepted level, y in m.
+    double
+    centre_of_mass() const;
     double
     newmark_gamma() const
     {

@@ -149,6 +149,9 @@ namespace ephyra::elasticity
     /// u and at the time that was set last, N.
     std::vector<double>
     external_force(const std::vector<double> &u) const;
+    /// Axial position at the displacement, m.
+    double
+    centre_of_mass(const std::vector<double> &u) const;
     /// At the displacement, velocity and activation.
     BodyMeasures
     measures(const std::vector<double> &u,

@@ -35,6 +35,12 @@ namespace ephyra::fluid
     /// Evaluates all formulas at time t, s.
     void
     set_time(double t);
+    /// The grid has moved: set_time() evaluates steady formulas anew, too.
+    void
+    forget_values()
+    {
+      evaluated = false;
+    }
 
     /// Sets the velocities through the sides at the time set last. Convective
     /// outflow is advanced over @p dt from @p previous,

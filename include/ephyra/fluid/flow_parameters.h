@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ephyra/fluid/grid_generation.h"
+#include "ephyra/fluid/moving_window.h"
 
 #include <string>
 
@@ -65,9 +66,10 @@ namespace ephyra::fluid
     PoissonKind      poisson               = PoissonKind::automatic;
     GridParameters   grid;
     SideParameters   outer, lower, upper;
-    std::string      initial_radial_velocity = "0"; ///< in (r, y), m/s
-    std::string      initial_axial_velocity  = "0"; ///< in (r, y), m/s
-    std::string      body_force              = "0"; ///< axial, in t, N/m^3
+    MovingWindowParameters window;
+    std::string            initial_radial_velocity = "0"; ///< in (r, y), m/s
+    std::string            initial_axial_velocity  = "0"; ///< in (r, y), m/s
+    std::string            body_force = "0"; ///< axial, in t, N/m^3
 
     static void
     declare(ParameterHandler &prm);

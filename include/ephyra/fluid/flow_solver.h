@@ -108,9 +108,20 @@ namespace ephyra::fluid
     /// A velocity component as a function of (r, y), m/s.
     using Component = std::function<double(double r, double y)>;
     /// Sets the velocity, made free of divergence; pressure and history start
-    /// anew. Collective.
+    /// anew. What a moving window meets has this velocity, too. Collective.
     void
     set_initial_velocity(const Component &radial, const Component &axial);
+
+    /// Moves the domain by so many cells along y, up where positive, between
+    /// two steps. Nothing is interpolated: what stays inside keeps its values,
+    /// the fluid that enters has the velocity of set_initial_velocity() at its
+    /// place, and the pressure and history of the last column before it; what
+    /// leaves is gone. The sides move along: their conditions hold at the new
+    /// ends, and one projection (without effect on the pressure) takes the
+    /// divergence away that this makes. Needs a uniform y that is not periodic.
+    /// Collective.
+    void
+    shift_window(int n_cells);
 
     // --- status -----------------------------------------------------------
     /// Cells of the whole grid.
@@ -172,12 +183,13 @@ namespace ephyra::fluid
     correct_pressure_for_implicit_viscosity(double step);
 
     const Parameters               parameters;
-    const StaggeredGrid            the_grid;
+    StaggeredGrid                  the_grid; ///< moved by shift_window() alone
     Boundary                       boundary;
     Momentum                       momentum;
     ImplicitViscosity              implicit_viscosity;
     std::unique_ptr<PoissonSolver> poisson_solver;
     Expression                     body_force;
+    Component                      initial_radial, initial_axial;
 
     VelocityField    current, predicted, history;
     DistributedArray old_pressure, new_pressure, phi;

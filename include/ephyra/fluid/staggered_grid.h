@@ -56,8 +56,25 @@ namespace ephyra::fluid
     StaggeredGrid(GridLine r, GridLine y, bool periodic_y, MPI_Comm comm);
 
     const GridLine r;
-    const GridLine y;
+    GridLine       y; ///< its positions are changed by shift_y() alone
     const bool     periodic_y;
+
+    /// Moves the grid by so many cells along y (a moving window). Faces follow
+    /// from those of the start and the number of cells since then, so no
+    /// round-off adds up; widths stay as they are. Stencils by index that were
+    /// made for places before have to be made anew. y must be uniform and not
+    /// periodic.
+    void
+    shift_y(int n_cells);
+    /// Cells by which the grid has moved since the start.
+    int
+    shift() const
+    {
+      return shifted;
+    }
+    /// The same in m.
+    double
+    shift_distance() const;
 
     MPI_Comm
     communicator() const
@@ -90,6 +107,8 @@ namespace ephyra::fluid
     }
 
   private:
-    MPI_Comm comm;
+    MPI_Comm            comm;
+    std::vector<double> start_faces; ///< of y, before any shift, m
+    int                 shifted = 0;
   };
 } // namespace ephyra::fluid

@@ -152,6 +152,7 @@ namespace ephyra::immersed_boundary
     DirectForcing            forcing;
     SurfaceLoads             surface_loads;
     bool                     forcing_valid     = false;
+    int                      forcing_shift     = 0; ///< of the grid
     bool                     measures_momentum = false;
 
     std::vector<double> target, Ju, residual, F; ///< of the markers

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ephyra/fluid/flow_solver.h"
+#include "ephyra/fluid/moving_window.h"
 #include "ephyra/immersed_boundary/rigid_flow.h"
 #include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/flow_regions.h"
@@ -36,7 +37,9 @@ namespace ephyra::simulation
 
   private:
     std::unique_ptr<fluid::FlowSolver>            flow;
-    std::unique_ptr<immersed_boundary::RigidFlow> bodies; ///< null: none
+    std::unique_ptr<immersed_boundary::RigidFlow> bodies;       ///< null: none
+    std::unique_ptr<fluid::MovingWindow>          window;       ///< null: none
+    int                                           followed = 0; ///< body
     std::unique_ptr<FlowProbes>                   probes;
     std::vector<FlowRegion>                       regions;
     std::vector<Tracers>                          tracers;

@@ -20,6 +20,11 @@ namespace ephyra::simulation
       std::string           name;
       std::array<double, 2> start{{0., 0.}}, end{{0., 0.}}; ///< (r, y), m
       int                   intervals = 0;                  ///< 0: a probe
+      bool moves = false; ///< with a moving window, else at rest
+
+      /// Point k of 0 ... intervals at the start of the run.
+      std::array<double, 2>
+      point(int k) const;
     };
     std::vector<Line> probes, lines;
 
@@ -30,30 +35,29 @@ namespace ephyra::simulation
   };
 
   /// Velocity and pressure at points, interpolated by moving least squares
-  /// (second order).
+  /// (second order). A moving window may leave a point behind, or not have come
+  /// to it yet: then there is no row of the probe or line.
   class FlowProbes
   {
   public:
-    /// Throws InputError where a point lies outside of the grid.
+    /// Throws InputError where a point lies outside of the grid, or beside the
+    /// window if that moves (@p window).
     FlowProbes(const FlowSampling                  &sampling,
                const immersed_boundary::Parameters &interpolation,
-               const fluid::StaggeredGrid          &grid);
+               const fluid::StaggeredGrid          &grid,
+               bool                                 window);
 
     /// Rows of probes/NAME.csv; collective.
     void
-    write_probes(double                   time,
-                 const fluid::FlowSolver &flow,
-                 RunOutput               &output) const;
+    write_probes(double time, const fluid::FlowSolver &flow, RunOutput &output);
     /// The present values at the probes, "NAME axial velocity [m/s]";
     /// collective.
     void
-    add_results(const fluid::FlowSolver &flow, Record &record) const;
+    add_results(const fluid::FlowSolver &flow, Record &record);
     /// Rows of profiles/NAME_QUANTITY.csv, columns by the distance from the
     /// start of the line in m; collective.
     void
-    write_lines(double                   time,
-                const fluid::FlowSolver &flow,
-                RunOutput               &output) const;
+    write_lines(double time, const fluid::FlowSolver &flow, RunOutput &output);
 
   private:
     struct Point
@@ -62,17 +66,22 @@ namespace ephyra::simulation
     };
     struct Series
     {
-      std::string              name;
+      FlowSampling::Line       line;
       std::vector<std::string> distances; ///< column names
-      std::vector<Point>       points;
+      std::vector<Point>       points;    ///< none: outside of the window
     };
-    Series
-    series(const FlowSampling::Line                    &line,
-           const immersed_boundary::MovingLeastSquares &mls) const;
+    void
+    place(Series &series) const;
+    /// Places all anew where the grid has moved.
+    void
+    follow_grid();
     /// v_r, v_y, p of each point.
     std::vector<double>
     evaluate(const Series &series, const fluid::FlowSolver &flow) const;
 
-    std::vector<Series> probes, lines;
+    const fluid::StaggeredGrid                 &grid;
+    const immersed_boundary::MovingLeastSquares mls;
+    std::vector<Series>                         probes, lines;
+    int placed_at = 0; ///< shift of the grid
   };
 } // namespace ephyra::simulation

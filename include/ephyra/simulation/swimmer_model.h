@@ -4,6 +4,7 @@
 #include "ephyra/coupling/fluid_structure.h"
 #include "ephyra/coupling/wet_surface.h"
 #include "ephyra/fluid/flow_solver.h"
+#include "ephyra/fluid/moving_window.h"
 #include "ephyra/simulation/body_output.h"
 #include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/flow_regions.h"
@@ -45,6 +46,7 @@ namespace ephyra::simulation
   private:
     std::unique_ptr<fluid::FlowSolver>        flow;
     std::unique_ptr<coupling::DeformableBody> body;
+    std::unique_ptr<fluid::MovingWindow>      window; ///< null: none
     std::unique_ptr<coupling::WetSurface>     surface;
     std::unique_ptr<coupling::Scheme>         scheme;
     std::unique_ptr<BodyOutput>               body_output;
