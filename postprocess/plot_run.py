@@ -146,16 +146,18 @@ def draw_snapshot(axis, flow, name, bodies, scale, window):
     return image
 
 
-def view(flow, bodies, width):
+def view(flows, bodies, width):
     """Half width, bottom and top of the pictures: around all bodies, in all of
-    the snapshots, so that they can be compared."""
+    the snapshots, so that they can be compared. The flow may move along y."""
+    r_max = flows[0].r_faces[-1]
+    bottom = min(flow.y_faces[0] for flow in flows)
+    top = max(flow.y_faces[-1] for flow in flows)
     if not bodies or width <= 0:
-        return flow.r_faces[-1], flow.y_faces[0], flow.y_faces[-1]
+        return r_max, bottom, top
     points = np.concatenate([body.points.reshape(-1, 2) for body in bodies])
     size = width * np.max(points[:, 0])
-    return (min(size / 1.5, flow.r_faces[-1]),
-            max(np.min(points[:, 1]) - size / 2, flow.y_faces[0]),
-            min(np.max(points[:, 1]) + size / 4, flow.y_faces[-1]))
+    return (min(size / 1.5, r_max), max(np.min(points[:, 1]) - size / 2, bottom),
+            min(np.max(points[:, 1]) + size / 4, top))
 
 
 def plot_vorticity(folder, target, times, n_snapshots, width, window):
@@ -176,7 +178,7 @@ def plot_vorticity(folder, target, times, n_snapshots, width, window):
     scale = np.percentile(np.abs(np.concatenate([f.fields[name].ravel() for f in flows])),
                           99.7) or 1.0
     bodies = [read_bodies(folder, time) for time, _ in chosen]
-    window = window or view(flows[0], [body for group in bodies for body in group], width)
+    window = window or view(flows, [body for group in bodies for body in group], width)
     height = 3.0 * (window[2] - window[1]) / (2 * window[0])
     figure, axes = plt.subplots(1, len(chosen), squeeze=False, sharey=True,
                                 figsize=(3.0 * len(chosen) + 1, height + 1),

@@ -5,6 +5,7 @@
 #include "ephyra/base/timer_tree.h"
 #include "ephyra/fluid/flow_output.h"
 #include "ephyra/fluid/row_transforms.h"
+#include "ephyra/fluid/speed_peak.h"
 
 #include <algorithm>
 #include <cmath>
@@ -410,29 +411,16 @@ namespace ephyra::fluid
   double
   FlowSolver::max_cfl(const double dt) const
   {
-    double largest = 0, sum = 0;
-    for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
-      {
-        const double        inv_dr = 1. / the_grid.r.width[i];
-        const double *const u      = current.r.row(i), *const up =
-                                                    current.r.row(i + 1);
-        const double *const w       = current.y.row(i);
-        const double *const width   = the_grid.y.width.data();
-        double              row_max = 0, row_sum = 0;
-        for (int j = 0; j < the_grid.y.n_cells; ++j)
-          {
-            const double speed =
-              0.5 * (std::abs(u[j]) + std::abs(up[j])) * inv_dr +
-              0.5 * (std::abs(w[j]) + std::abs(w[j + 1])) / width[j];
-            row_max = std::max(row_max, speed);
-            row_sum += speed;
-          }
-        largest = std::max(largest, row_max);
-        sum += row_sum;
-      }
-    if (!std::isfinite(sum)) // std::max() drops NaN
-      largest = std::numeric_limits<double>::infinity();
-    return dt * mpi::max(largest, the_grid.communicator());
+    return dt *
+           mpi::max(local_speed_peak(current).rate, the_grid.communicator());
+  }
+
+  double
+  FlowSolver::unstable_cfl() const
+  {
+    if (!parameters.convection)
+      return std::numeric_limits<double>::infinity();
+    return parameters.scheme == TimeScheme::rk3 ? 2.8 : 2.;
   }
 
   bool

@@ -31,7 +31,7 @@ namespace ephyra::fluid
       "height of the window from below. Empty: where it "
       "starts.");
     prm.declare_entry("Cells",
-                      "8",
+                      "4",
                       patterns::Integer(1),
                       "The window moves when the point is so many cells away "
                       "from its place. Each move costs a Poisson solve.");

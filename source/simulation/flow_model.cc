@@ -1,7 +1,6 @@
 #include "ephyra/simulation/flow_model.h"
 
 #include "ephyra/fluid/flow_diagnostics.h"
-#include "ephyra/simulation/flow_status.h"
 
 #include <sstream>
 #include <string>
@@ -50,7 +49,7 @@ namespace ephyra::simulation
       flow->advance(t, dt);
     if (!status.success)
       return status;
-    status = flow_status(*flow, dt, last_cfl);
+    status = flow_status.check(*flow, dt);
     if (status.success)
       for (Tracers &set : tracers)
         set.advance(t, dt, flow->velocity());
@@ -87,13 +86,13 @@ namespace ephyra::simulation
       set.evaluate(record);
     record.add("relative divergence [-]",
                fluid::relative_divergence(flow->velocity()));
-    record.add("CFL number [-]", last_cfl);
+    record.add("CFL number [-]", flow_status.cfl());
   }
 
   double
   FlowModel::cfl() const
   {
-    return last_cfl;
+    return flow_status.cfl();
   }
 
   void

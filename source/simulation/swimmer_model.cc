@@ -2,7 +2,6 @@
 
 #include "ephyra/fluid/flow_diagnostics.h"
 #include "ephyra/simulation/build_body.h"
-#include "ephyra/simulation/flow_status.h"
 
 
 namespace ephyra::simulation
@@ -53,7 +52,7 @@ namespace ephyra::simulation
     if (!status.success)
       return status;
     last_iterations = status.iterations;
-    status          = flow_status(*flow, dt, last_cfl);
+    status          = flow_status.check(*flow, dt);
     if (status.success)
       for (Tracers &set : tracers)
         set.advance(t, dt, flow->velocity());
@@ -80,7 +79,7 @@ namespace ephyra::simulation
       set.evaluate(record);
     record.add("relative divergence [-]",
                fluid::relative_divergence(flow->velocity()));
-    record.add("CFL number [-]", last_cfl);
+    record.add("CFL number [-]", flow_status.cfl());
   }
 
   void
@@ -92,7 +91,7 @@ namespace ephyra::simulation
   double
   SwimmerModel::cfl() const
   {
-    return last_cfl;
+    return flow_status.cfl();
   }
 
   double

@@ -45,6 +45,13 @@ class Table:
         return self.values[:, self.names.index(name)]
 
 
+# A body pushed upwards, so that its window moves within 50 steps.
+WINDOW_OF_SWIMMER = sets(Fluid__Moving_window__Follow="swimmer",
+                         Fluid__Moving_window__Cells=1,
+                         Body__Axial_position="40 mm",
+                         Elasticity__Axial_body_force="4e3 N/m^3")
+
+
 def tells_effort(column):
     """Residuals, numbers of iterations and the divergence say how a step was
     solved, not what came out: they are at the level of tolerances or round-off."""

@@ -73,6 +73,31 @@ class BadInputTest(runs.SystemTest):
                            "the body has 900 kg/m^3 and the fluid 1000; set Scheme = fixed point",
                            "set Time scheme = ab2, or Coupling/Scheme = sequential"))
 
+    def test_moving_window(self):
+        window = "Fluid/Moving window/"
+        for options, parts in (
+                (runs.sets(Fluid__Moving_window__Follow="ball"),
+                 (f'--set: {window}Follow = "ball": there is no such body in the scene; choose '
+                  '"sphere", or none',)),
+                (runs.sets(Fluid__Moving_window__Follow="swimmer"),
+                 ("there is no such body in the scene",)),
+                (runs.sets(Rigid_body_sphere__Motion="fixed", Rigid_body_sphere__Velocity="0"),
+                 (f'window.prm:32: {window}Follow = "sphere": the body does not move',)),
+                (runs.sets(Fluid__Moving_window__Follow=""),
+                 ("2 errors in the parameters:",
+                  f"window.prm:33: {window}Cells = \"2\": is given, but Follow is empty",
+                  'Flow line along/Frame = "window": there is no moving window')),
+                (runs.sets(Fluid__Grid__Axial_spacings="1.5 mm, 1.6 mm"),
+                 ("a moving window needs a uniform axial spacing",)),
+                (runs.sets(Fluid__Lower_boundary__Type="periodic",
+                           Fluid__Upper_boundary__Type="periodic"),
+                 ("the flow is periodic along y, which has no ends that could move",)),
+                (runs.sets(Fluid__Moving_window__Cells=30),
+                 ("keeps the body 'sphere' 0.06 m above its lower end, within 30 cells",))):
+            self.refuse(runs.SCENES / "window.prm", *options, parts=parts)
+        self.refuse(runs.SCENES / "flow.prm", *runs.sets(Fluid__Moving_window__Follow="swimmer"),
+                    parts=("there is no deformable body to follow",))
+
     def test_files_that_are_none(self):
         (self.folder / "folder.prm").mkdir()
         (self.folder / "empty.prm").touch()

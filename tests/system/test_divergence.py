@@ -3,6 +3,8 @@
 and a checkpoint of the last good step; and the shipped scene in which sequential
 coupling diverges while the implicit schemes hold."""
 
+import re
+
 import numpy
 
 import runs
@@ -13,6 +15,8 @@ COARSE = runs.sets(Output__Progress_interval=0)
 
 class DivergenceTest(runs.SystemTest):
     def diverge(self, scene, *options, parts):
+        """The message on one rank; on two it has the same parts."""
+        message = ""
         for ranks in (1, 2):
             process = self.run_program(scene, "--output", "run", "--overwrite", "--quiet",
                                        *options, ranks=ranks, code=2)
@@ -20,6 +24,8 @@ class DivergenceTest(runs.SystemTest):
             log = (self.folder / "run/log.txt").read_text(encoding="utf-8")
             self.assertIn("Diverged after step", log)
             self.assertTrue(numpy.isfinite(self.table("run").values).all())
+            message = message or process.stderr
+        return message
 
     def last_step(self):
         return int(self.table("run")["step [-]"][-1])
@@ -38,8 +44,35 @@ class DivergenceTest(runs.SystemTest):
             self.diverge(runs.SCENES / "flow.prm",
                          *runs.sets(Fluid__Initial_axial_velocity="1e6*sin(10*r)*sin(20*y)"),
                          "--set", f"Time/Cut-backs = {cut_backs}",
-                         parts=("The flow has become unstable (CFL number",
+                         parts=("The flow has become unstable: its velocity (v_r, v_y) = (",
+                                ") m/s at (r, y) = (", "m has the CFL number ", ", beyond 2.8: ",
                                 "run the scene with a smaller Time/Time step."))
+
+    def test_flow_that_outruns_its_steps(self):
+        """It ends where it begins to be wrong, with the place; what is kept goes
+        on with shorter steps."""
+        wall = runs.sets(Fluid__Outer_boundary__Type="velocity",
+                         Fluid__Outer_boundary__Axial_velocity="1000*t",
+                         Time__End_time="1 s", Time__Smallest_time_step="5 ms")
+        message = self.diverge(runs.SCENES / "flow.prm", *wall,
+                               parts=("The flow has become unstable: its velocity (v_r, v_y) = (",
+                                      "; in the step before, the largest was (v_r, v_y) = ("))
+        # Beside the wall, and a little beyond what the scheme can carry.
+        self.assertEqual(set(re.findall(r"at \(r, y\) = \(([^,]*),", message)), {"0.96875"})
+        cfl = [float(number) for number in re.findall(r"CFL number ([0-9.]+)", message)]
+        self.assertGreater(cfl[0], 2.8)
+        self.assertLess(cfl[0], 3.5)
+        self.assertLess(cfl[1], 2.8)
+        last = self.table("run")
+        checkpoint = f"run/checkpoints/checkpoint_{self.last_step():09d}.h5"
+        self.assertTrue((self.folder / checkpoint).exists())
+        self.assertAlmostEqual(last["CFL number [-]"][-1], cfl[1], 3)
+        end = last["time [s]"][-1] + 0.01
+        self.run_program("--resume", "run", "--quiet",
+                         *runs.sets(Time__Time_step="1 ms", Time__Smallest_time_step="1 us",
+                                    Time__End_time=f"{end} s"))
+        self.assertEqual(self.last_step(), int(last["step [-]"][-1]) + 10)
+        self.assertLess(self.table("run")["CFL number [-]"][-1], 1)
 
     def test_body_that_folds(self):
         self.diverge(runs.SCENES / "swim.prm",

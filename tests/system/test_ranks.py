@@ -33,6 +33,14 @@ class RanksTest(runs.SystemTest):
         self.check("sphere.prm", more_ranks=(4, 8))
         self.assertLess(self.table("one")["sphere velocity y [m/s]"][-1], -0.01)
 
+    def test_sphere_in_a_moving_window(self):
+        self.check("window.prm")
+        self.assertLess(self.table("one")["window shift [cells]"][-1], -5)
+
+    def test_swim_in_a_moving_window(self):
+        self.check("swim.prm", *runs.WINDOW_OF_SWIMMER)
+        self.assertGreater(self.table("one")["window shift [cells]"][-1], 3)
+
 
 if __name__ == "__main__":
     runs.main()

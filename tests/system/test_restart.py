@@ -57,6 +57,28 @@ class RestartTest(runs.SystemTest):
     def test_sinking_sphere(self):
         self.check("sphere.prm", series=("flow", "dye"))
 
+    def test_sphere_in_a_moving_window(self):
+        self.check("window.prm", series=("flow",))
+        for name in ("probes/passed.csv", "profiles/along_pressure.csv"):
+            part, whole = (self.table(run, name) for run in ("part", "whole"))
+            self.assertEqual(part.names, whole.names)
+            self.assertEqual(part.values.shape, whole.values.shape)
+            self.assertLess(abs(part.values - whole.values).max(),
+                            SAME_RANKS * abs(whole.values).max())
+        # The probe is left behind, the line stays inside.
+        shift = self.table("whole")["window shift [cells]"]
+        inside = 96 + 1.5 * shift >= 90
+        self.assertEqual(self.table("whole", "probes/passed.csv").values.shape[0], sum(inside))
+        self.assertLess(sum(inside), 50)
+        self.assertEqual(self.table("whole", "profiles/along_pressure.csv").values.shape, (6, 9))
+        self.assertNotIn("passed pressure [Pa]", self.table("whole", "result.csv").names)
+
+    def test_swim_in_a_moving_window(self):
+        self.check("swim.prm", *runs.WINDOW_OF_SWIMMER, series=("flow", "body"))
+        shift = self.table("whole")["window shift [cells]"]
+        self.assertNotEqual(shift[25], 0)
+        self.assertNotEqual(shift[-1], shift[25])
+
     def test_swim_with_a_distributed_body(self):
         self.check("swim.prm", *runs.sets(Scene__Distributed_body_from=0), series=("body",))
 

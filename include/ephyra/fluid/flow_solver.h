@@ -134,6 +134,12 @@ namespace ephyra::fluid
     /// Collective.
     double
     max_cfl(double dt) const;
+    /// CFL number from which on convection makes the fastest modes grow at
+    /// least threefold in every step: 2.8 (`rk3`, stable up to sqrt(3)) or 2
+    /// (`ab2`), the modulus of the roots of the schemes on the imaginary axis;
+    /// infinite without convection.
+    double
+    unstable_cfl() const;
     /// Whether all velocities are finite; collective.
     bool
     finite() const;

@@ -22,7 +22,7 @@ namespace ephyra::fluid
     std::optional<double> position; ///< of the followed point in the window,
                                     ///< fraction of its height from below;
                                     ///< none: where the body starts
-    int cells = 8;                  ///< least number of cells of one shift
+    int cells = 4;                  ///< least number of cells of one shift
 
     bool
     on() const

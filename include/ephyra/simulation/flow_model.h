@@ -5,6 +5,7 @@
 #include "ephyra/immersed_boundary/rigid_flow.h"
 #include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/flow_regions.h"
+#include "ephyra/simulation/flow_status.h"
 #include "ephyra/simulation/model.h"
 #include "ephyra/simulation/tracers.h"
 
@@ -43,6 +44,6 @@ namespace ephyra::simulation
     std::unique_ptr<FlowProbes>                   probes;
     std::vector<FlowRegion>                       regions;
     std::vector<Tracers>                          tracers;
-    double                                        last_cfl = 0;
+    FlowStatus                                    flow_status;
   };
 } // namespace ephyra::simulation

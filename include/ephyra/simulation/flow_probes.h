@@ -45,7 +45,7 @@ namespace ephyra::simulation
     FlowProbes(const FlowSampling                  &sampling,
                const immersed_boundary::Parameters &interpolation,
                const fluid::StaggeredGrid          &grid,
-               bool                                 window);
+               bool                                 window = false);
 
     /// Rows of probes/NAME.csv; collective.
     void

@@ -8,6 +8,7 @@
 #include "ephyra/simulation/body_output.h"
 #include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/flow_regions.h"
+#include "ephyra/simulation/flow_status.h"
 #include "ephyra/simulation/model.h"
 #include "ephyra/simulation/surface_output.h"
 #include "ephyra/simulation/tracers.h"
@@ -54,7 +55,7 @@ namespace ephyra::simulation
     std::unique_ptr<FlowProbes>               flow_probes;
     std::vector<FlowRegion>                   regions;
     std::vector<Tracers>                      tracers;
-    double                                    last_cfl        = 0;
+    FlowStatus                                flow_status;
     double                                    last_iterations = 0;
   };
 } // namespace ephyra::simulation

@@ -36,8 +36,8 @@ BOOST_AUTO_TEST_CASE(linear_fields_are_interpolated_exactly)
   for (const double r : {0.31, 0.5, 0.77})
     sampling.probes.push_back(
       {"at " + std::to_string(r), {{r, 0.4}}, {{r, 0.4}}, 0});
-  const FlowProbes probes(sampling, {}, flow.grid());
-  Record           record;
+  FlowProbes probes(sampling, {}, flow.grid());
+  Record     record;
   probes.add_results(flow, record);
   BOOST_REQUIRE(record.all().size() == 9u);
   for (std::size_t k = 0; k < sampling.probes.size(); ++k)
