@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -115,8 +116,8 @@ BOOST_AUTO_TEST_CASE(growth_from_step_to_step)
   BOOST_TEST(steps_until_failure([](const int k) { return k > 3 ? 1. : 1e-9; },
                                  dt) == -1);
   BOOST_TEST(
-    steps_until_failure([](const int k) { return std::pow(k / 20., 4) / 16; },
-                        dt) == -1);
+    steps_until_failure(
+      [](const int k) { return std::min(1., std::pow(k / 6., 4)); }, dt) == -1);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

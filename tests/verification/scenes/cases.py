@@ -415,6 +415,22 @@ def settling_sphere_re4(run):
     yield from settling(run, "4.1", 0.953 * 0.060, 0.015)
 
 
+@case(QUICK, "moving_window", "Scene/Refinement = 0.5")
+def moving_window(run):
+    # The same cells in a tube so long that its ends do not matter. A window of
+    # 8 D with walls as ends would be 1.8 % off.
+    source = "long tube at rest"
+    with SceneRun("moving_window", "Scene/Refinement = 0.5", "Fluid/Moving window/Follow = ",
+                  "Fluid/Upper boundary/Type = free-slip",
+                  "Fluid/Grid/Axial breakpoints = -480 mm, 240 mm") as long_tube:
+        reference = long_tube.result
+    yield Number("window moved, cells", run.result["window shift [cells]"],
+                 reference["sphere y [m]"] / 1.875e-3, 4, source)
+    for what, column, tolerance in (("way in 3 s, m", "sphere y [m]", 1e-3),
+                                    ("speed after 23 D, m/s", "sphere velocity y [m/s]", 2e-3)):
+        yield relative(what, run.result[column], reference[column], tolerance, source)
+
+
 # --- coupled ------------------------------------------------------------------
 
 @case(QUICK, "rod_in_annulus")
