@@ -60,6 +60,13 @@ namespace ephyra::simulation
       return kind == fluid::SideKind::no_slip ||
              kind == fluid::SideKind::free_slip;
     }
+
+    /// A moving window leaves tracers behind: no wall holds them back there.
+    fluid::SideKind
+    end_of(const fluid::FlowParameters &flow, const fluid::SideKind kind)
+    {
+      return flow.window.on() ? fluid::SideKind::outflow : kind;
+    }
   } // namespace
 
   void
@@ -114,8 +121,8 @@ namespace ephyra::simulation
                    const fluid::FlowParameters &flow,
                    const fluid::VelocityField  &velocity)
     : parameters(parameters)
-    , lower(flow.lower.kind)
-    , upper(flow.upper.kind)
+    , lower(end_of(flow, flow.lower.kind))
+    , upper(end_of(flow, flow.upper.kind))
     , outer(flow.outer.kind)
   {
     const fluid::StaggeredGrid &grid = velocity.grid();
