@@ -54,6 +54,22 @@ class BadInputTest(runs.SystemTest):
                          "    set Radial breakpoints = 0 m, 2 m, 1 m\n  end\nend\n",
                          "bad.prm:3: Fluid/Grid/Radial breakpoints", "must increase")
 
+    def test_limits_of_a_region(self):
+        self.refuse_text("subsection Flow region jet\n  set Axial limits = 2 m, 1 m\nend\n",
+                         'bad.prm:2: Flow region jet/Axial limits = "2 m, 1 m": it needs two '
+                         "numbers, the smaller one first, or none")
+
+    def test_numbers_of_tracers(self):
+        self.refuse_text("subsection Tracers dye\n  set Pattern = rectangle\n"
+                         "  set Numbers = 7\nend\n",
+                         'bad.prm:3: Tracers dye/Numbers = "7": a rectangle needs two numbers, '
+                         "along r and along y")
+
+    def test_tracers_outside_of_the_grid(self):
+        self.refuse_text("subsection Tracers dye\n  set Start = 0 m, 1 km\nend\n",
+                         "The tracers 'dye' start at (r, y) = (0, 1000) m, which is outside of "
+                         "the grid; move them or widen the grid")
+
     def test_body_outside_of_the_grid(self):
         self.refuse(runs.SCENES / "swim.prm", *runs.sets(Body__Axial_position="1 m"),
                     parts=('--set: Body/Axial position = "1 m": The bell reaches (r, y) = ',
