@@ -87,9 +87,7 @@ namespace ephyra::fluid
   int
   Boundary::end_r_face() const
   {
-    return grid.end_row() +
-           (grid.is_last_rank() && sides[outer].kind == SideKind::pressure ? 1
-                                                                           : 0);
+    return grid.end_row() + (grid.is_last_rank() ? opens_outer_side() : 0);
   }
 
   int

@@ -3,13 +3,10 @@
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/log.h"
 #include "ephyra/base/timer_tree.h"
-#include "ephyra/fluid/flow_output.h"
 #include "ephyra/fluid/row_transforms.h"
-#include "ephyra/fluid/speed_peak.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace ephyra::fluid
@@ -307,6 +304,46 @@ namespace ephyra::fluid
   }
 
   void
+  FlowSolver::add_forces(const unsigned int                          k,
+                         const std::function<void(VelocityField &)> &spread)
+  {
+    if (!implicit.any())
+      {
+        spread(current);
+        return;
+      }
+    if (!increment)
+      increment = std::make_unique<VelocityField>(the_grid);
+    increment->r.fill(0.);
+    increment->y.fill(0.);
+    spread(*increment);
+    implicit_viscosity.spread_out(stage_dt(k), implicit, *increment);
+    const int n_y = the_grid.y.n_cells;
+    for (int i = boundary.first_r_face(); i < boundary.end_r_face(); ++i)
+      for (int j = 0; j < n_y; ++j)
+        current.r(i, j) += increment->r(i, j);
+    for (int i = the_grid.first_row; i < the_grid.end_row(); ++i)
+      for (int j = boundary.first_y_face(); j < boundary.end_y_face(); ++j)
+        current.y(i, j) += increment->y(i, j);
+  }
+
+  std::vector<double>
+  FlowSolver::line_response(const unsigned int      k,
+                            const int               component,
+                            const bool              along_r,
+                            const std::vector<int> &nodes) const
+  {
+    if (along_r ? implicit.r : implicit.y)
+      return implicit_viscosity.line_response(
+        stage_dt(k), component, along_r, nodes);
+    const std::size_t   n = nodes.size();
+    std::vector<double> identity(n * n, 0.);
+    for (std::size_t m = 0; m < n; ++m)
+      identity[m * n + m] = 1.;
+    return identity;
+  }
+
+  void
   FlowSolver::project(const unsigned int k)
   {
     if (!parameters.project_every_substep && k + 1 < n_stages())
@@ -404,81 +441,5 @@ namespace ephyra::fluid
         project(k);
       }
     end_step();
-  }
-
-  // --- status -------------------------------------------------------------
-
-  double
-  FlowSolver::max_cfl(const double dt) const
-  {
-    return dt *
-           mpi::max(local_speed_peak(current).rate, the_grid.communicator());
-  }
-
-  double
-  FlowSolver::unstable_cfl() const
-  {
-    if (!parameters.convection)
-      return std::numeric_limits<double>::infinity();
-    return parameters.scheme == TimeScheme::rk3 ? 2.8 : 2.;
-  }
-
-  bool
-  FlowSolver::finite() const
-  {
-    return std::isfinite(max_cfl(1.));
-  }
-
-  // --- state and output ---------------------------------------------------
-
-  void
-  FlowSolver::serialize(Archive &archive)
-  {
-    const Archive::Group group(archive, "flow");
-    const int            n_y = the_grid.y.n_cells;
-    const auto save = [&](const std::string &name, VelocityField &field) {
-      archive.rows(name + " r",
-                   field.r.row(the_grid.first_row),
-                   field.r.layout(n_y, true));
-      archive.rows(
-        name + " y", field.y.row(the_grid.first_row), field.y.layout(n_y + 1));
-    };
-    if (archive.reading())
-      projected = true;
-    if (parameters.window.on())
-      {
-        std::int64_t shift = the_grid.shift();
-        archive.value("window shift", shift);
-        the_grid.shift_y(static_cast<int>(shift) - the_grid.shift());
-        boundary.forget_values();
-      }
-    DistributedArray &pressure = projected ? new_pressure : old_pressure;
-    save("velocity", current);
-    archive.rows(
-      "pressure", pressure.row(the_grid.first_row), pressure.layout(n_y));
-    if (parameters.scheme == TimeScheme::ab2)
-      save("history", history);
-    archive.value("time", time);
-    archive.value("time step", time_step);
-    archive.value("previous time step", previous_time_step);
-    std::int64_t is_started = started ? 1 : 0,
-                 directions = implicit.r + 2 * implicit.y;
-    archive.value("started", is_started);
-    archive.value("implicit directions", directions);
-    if (!archive.reading())
-      return;
-    started    = is_started != 0;
-    implicit.r = (directions & 1) != 0;
-    implicit.y = (directions & 2) != 0;
-    boundary.set_time(time);
-    update_ghosts();
-    new_pressure.exchange_halo();
-    boundary.fill_pressure_ghosts(new_pressure);
-  }
-
-  void
-  FlowSolver::write(GridOutput &output) const
-  {
-    write_flow(current, pressure(), output);
   }
 } // namespace ephyra::fluid

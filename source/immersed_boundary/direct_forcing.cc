@@ -17,6 +17,7 @@ namespace ephyra::immersed_boundary
 
     constexpr double shift_of_exact_solver = 1e-8;
 
+
     /// Lists the markers that spread to a node: open addressing from the node
     /// number to the head of a linked list.
     class MarkersOfNode
@@ -106,6 +107,9 @@ namespace ephyra::immersed_boundary
     const MarkerState &m = markers.state();
     const int          n = markers.size();
     w.resize(n);
+    rate.resize(n);
+    viscous.clear();
+    present_viscous = nullptr;
     for (int c = 0; c < 2; ++c)
       {
         nodes[c].resize(n);
@@ -129,6 +133,8 @@ namespace ephyra::immersed_boundary
                            "'Inward shift' or refine the grid.");
         const double shell = r * m.length[l] * eta;
         w[l]               = 2. * M_PI * shell;
+        rate[l]            = 1. / std::pow(mls.cell_size(rc, yc, 1., 0.), 2) +
+                  1. / std::pow(mls.cell_size(rc, yc, 0., 1.), 2);
 
         if (parameters.inward_shift > 0)
           {
@@ -258,6 +264,15 @@ namespace ephyra::immersed_boundary
   }
 
   void
+  DirectForcing::add(const std::vector<double> &F,
+                     fluid::FlowSolver         &flow,
+                     const unsigned int         stage) const
+  {
+    flow.add_forces(stage,
+                    [&](fluid::VelocityField &field) { spread(F, field); });
+  }
+
+  void
   DirectForcing::interpolate(const fluid::VelocityField &velocity,
                              std::vector<double>        &Ju) const
   {
@@ -296,14 +311,15 @@ namespace ephyra::immersed_boundary
     for (int c = 0; c < 2; ++c)
       {
         Eigen::Map<Eigen::VectorXd> force(F.data() + c * n, n);
-        const Vector                r0(residual.data() + c * n, n);
+        Eigen::VectorXd             r(Vector(residual.data() + c * n, n));
+        if (present_viscous != nullptr)
+          r = present_viscous->B[c].solve(r);
         if (parameters.forcing_solver == ForcingSolver::exact)
           {
-            force = inverse[c]->solve(r0);
+            force = inverse[c]->solve(r);
             continue;
           }
-        Eigen::VectorXd r = r0;
-        force             = r0;
+        force = r;
         for (int sweep = 1; sweep < parameters.forcing_sweeps; ++sweep)
           {
             r -= (M[c] * r).eval();

@@ -35,7 +35,7 @@ namespace ephyra::immersed_boundary
   {
     const auto projected = [&](const Vector &force) {
       flow.reset_to_predicted(stage);
-      forcing.spread(to_std(force), flow.velocity());
+      forcing.add(to_std(force), flow, stage);
       flow.project(stage);
       std::vector<double> Ju;
       forcing.interpolate(flow.velocity(), Ju);

@@ -172,7 +172,7 @@ namespace ephyra::immersed_boundary
         projections += 2 + status.iterations + (status.iterations > 0);
         return status;
       }
-    forcing.spread(F, flow.velocity());
+    forcing.add(F, flow, stage);
     flow.project(stage);
     ++projections;
     return StepStatus();
@@ -353,6 +353,7 @@ namespace ephyra::immersed_boundary
           const MarkerState &m = the_markers->state();
           target               = m.v_r;
           target.insert(target.end(), m.v_y.begin(), m.v_y.end());
+          forcing.prepare(flow, stage);
           forcing.interpolate(flow.velocity(), Ju);
         }
         const StepStatus status = force_stage(stage, h);

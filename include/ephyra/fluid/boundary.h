@@ -27,6 +27,13 @@ namespace ephyra::fluid
     first_r_face() const;
     int
     end_r_face() const;
+    /// 1 where the radial velocity on the outer side follows from the momentum
+    /// equation, else 0.
+    int
+    opens_outer_side() const
+    {
+      return sides[outer].kind == SideKind::pressure ? 1 : 0;
+    }
     int
     first_y_face() const;
     int

@@ -71,6 +71,22 @@ namespace ephyra::fluid
     /// velocity() = the u* that predict(k) left. Needs keep_predicted(true).
     void
     reset_to_predicted(unsigned int k);
+    /// Adds forces to the velocity of stage k, given as what they would do to
+    /// a fluid without viscosity: @p spread adds these increments (m/s) to the
+    /// owned nodes of a field. Like every other term they pass through the
+    /// implicit viscous operator, velocity() += A^-1 increment,
+    /// A = (1 - a L_r) (1 - a L_y). Collective.
+    void
+    add_forces(unsigned int                                k,
+               const std::function<void(VelocityField &)> &spread);
+    /// Entries of A^-1 of stage k along one direction, see
+    /// ImplicitViscosity::line_response(); those of the identity where this
+    /// direction is explicit.
+    std::vector<double>
+    line_response(unsigned int            k,
+                  int                     component,
+                  bool                    along_r,
+                  const std::vector<int> &nodes) const;
     /// Makes velocity() free of divergence and updates pressure() from the
     /// pressure at the start of the stage; halo and ghosts valid. Collective.
     void
@@ -197,8 +213,9 @@ namespace ephyra::fluid
     Expression                     body_force;
     Component                      initial_radial, initial_axial;
 
-    VelocityField    current, predicted, history;
-    DistributedArray old_pressure, new_pressure, phi;
+    VelocityField                  current, predicted, history;
+    std::unique_ptr<VelocityField> increment; ///< by add_forces()
+    DistributedArray               old_pressure, new_pressure, phi;
 
     double             time = 0, time_step = 0, previous_time_step = 0;
     bool               projected       = true;

@@ -33,6 +33,23 @@ namespace ephyra::fluid
           const VelocityField      &old,
           VelocityField            &field);
 
+    /// @p increment becomes what is left of it behind implicit viscosity,
+    ///   [(1 - a L_r) (1 - a L_y)]^-1 increment,
+    /// with zeros on the sides of the domain. Collective.
+    void
+    spread_out(double                    step,
+               const ImplicitDirections &directions,
+               VelocityField            &increment);
+
+    /// Entries of (1 - a L)^-1 of one component (0: radial, 1: axial) along one
+    /// direction between the @p nodes of the whole grid, row by row; 0 where a
+    /// node is on a side of the domain. Every rank for itself.
+    std::vector<double>
+    line_response(double                  step,
+                  int                     component,
+                  bool                    along_r,
+                  const std::vector<int> &nodes) const;
+
   private:
     /// The factorised matrices of one step size.
     struct Factors
@@ -43,21 +60,23 @@ namespace ephyra::fluid
     };
     Factors &
     factors(double step);
+    /// @p old: null where the values on the sides do not change.
     void
     solve_along_r(Factors &,
                   double               a,
-                  const VelocityField &old,
+                  const VelocityField *old,
                   VelocityField &);
     void
     solve_along_y(Factors &,
                   double               a,
-                  const VelocityField &old,
+                  const VelocityField *old,
                   VelocityField &);
 
+    /// Rows [first, end) along r; of v_r without the axis.
     RowTridiagonal::Rows
-    radial_rows(double a) const;
+    radial_rows(double a, int first, int end) const;
     RowTridiagonal::Rows
-    axial_rows(double a) const;
+    axial_rows(double a, int first, int end) const;
     ColumnTridiagonal
     radial_columns(double a) const;
     ColumnTridiagonal

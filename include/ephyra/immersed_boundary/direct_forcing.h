@@ -1,9 +1,10 @@
 #pragma once
 
-#include "ephyra/fluid/velocity_field.h"
+#include "ephyra/fluid/flow_solver.h"
 #include "ephyra/immersed_boundary/markers.h"
 #include "ephyra/immersed_boundary/moving_least_squares.h"
 
+#include <Eigen/LU>
 #include <Eigen/SparseCore>
 
 #include <array>
@@ -34,6 +35,16 @@ namespace ephyra::immersed_boundary
   /// symmetric form of M (c_l^1/2 Phi Phi^T c_l^1/2), with a shift of 1e-8 that
   /// lets it be factored where markers are denser than nodes can tell apart.
   ///
+  /// Where viscosity is implicit, forces act through A^-1, A = (1 - a L_r)
+  /// (1 - a L_y), like every other term of the momentum equation:
+  ///   u = u* + A^-1 S F,   [G + theta (T^-1 - M)] F = V - J u*,   G = J A^-1 S,
+  /// that is F = T B^-1 (V - J u*), B = G T + theta (I - M T). The slip that
+  /// is left for a force is theta (T^-1 - M) F, as with explicit viscosity
+  /// (where G = M and B = I); theta = min(1, h_e / h) with a stage h_e at the
+  /// explicit limit keeps it, for a given force in time, from growing with
+  /// the step h. G is dense among the markers, made of the responses of single
+  /// lines since A^-1 is a product.
+  ///
   /// Marker vectors hold all radial components first, then all axial ones.
   class DirectForcing
   {
@@ -49,18 +60,30 @@ namespace ephyra::immersed_boundary
     void
     update(const Markers &markers);
 
+    /// The viscous operator of a stage, for solve() and add(). After update(),
+    /// before each stage. Every rank for itself.
+    void
+    prepare(const fluid::FlowSolver &flow, unsigned int stage);
+
     /// J u from the rows held here, completed by one reduction; collective.
     /// Boundary values of u have to be set, halo rows are not used.
     void
     interpolate(const fluid::VelocityField &u, std::vector<double> &Ju) const;
 
-    /// F = T residual; every rank for itself.
+    /// F = T residual, or T B^-1 residual; every rank for itself.
     void
     solve(const std::vector<double> &residual, std::vector<double> &F) const;
 
     /// Adds S F to the rows held here; not collective, halo rows are left.
     void
     spread(const std::vector<double> &F, fluid::VelocityField &u) const;
+
+    /// velocity() of the flow += A^-1 S F in the stage of prepare();
+    /// collective.
+    void
+    add(const std::vector<double> &F,
+        fluid::FlowSolver         &flow,
+        unsigned int               stage) const;
 
     /// w_l, m^3: the impulse on the fluid (N s, all around the axis) of marker
     /// l is density * w_l * F.
@@ -93,21 +116,34 @@ namespace ephyra::immersed_boundary
       std::array<double, 9> spread; ///< c_l phi, 0 at prescribed nodes
     };
     struct Inverse; ///< factors of the symmetric form of M
+    struct Viscous  /// factors of B for one length of a stage
+    {
+      double                               step; ///< s
+      Eigen::PartialPivLU<Eigen::MatrixXd> B[2];
+    };
 
     /// Fills Nodes::spread and returns c_l.
     double
     set_spreading(int component, double shell, Nodes &node) const;
     void
     assemble(int component);
+    /// G of a component, dense.
+    Eigen::MatrixXd
+    viscous_matrix(const fluid::FlowSolver &flow,
+                   unsigned int             stage,
+                   int                      component) const;
 
-    MovingLeastSquares                      mls;
-    Parameters                              parameters;
-    std::array<std::vector<Nodes>, 2>       nodes;
-    std::vector<double>                     w;
-    std::array<std::vector<double>, 2>      scale; ///< c_l
-    std::array<Matrix, 2>                   M;
-    mutable std::array<Matrix, 2>           T;
-    mutable std::array<bool, 2>             T_valid{{false, false}};
+    MovingLeastSquares                 mls;
+    Parameters                         parameters;
+    std::array<std::vector<Nodes>, 2>  nodes;
+    std::vector<double>                w;
+    std::vector<double>                rate;  ///< 1 / Delta_r^2 + 1 / Delta_y^2
+    std::array<std::vector<double>, 2> scale; ///< c_l
+    std::array<Matrix, 2>              M;
+    mutable std::array<Matrix, 2>      T;
+    mutable std::array<bool, 2>        T_valid{{false, false}};
     std::array<std::unique_ptr<Inverse>, 2> inverse;
+    std::vector<std::unique_ptr<Viscous>>   viscous; ///< since update()
+    const Viscous *present_viscous = nullptr; ///< of prepare(); or explicit
   };
 } // namespace ephyra::immersed_boundary

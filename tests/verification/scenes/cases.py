@@ -296,6 +296,13 @@ def sphere_drag_re20(run):
     yield from drag(run, "sphere", 2.722, 0.01, 0.03)
 
 
+@case(QUICK, "sphere_in_tube")
+def sphere_in_tube(run):
+    yield relative("drag coefficient by forcing",
+                   run.result["sphere drag coefficient by forcing [-]"], 24 * 1.680, 0.015,
+                   "Stokes, wall factor of Haberman & Sayre 1958")
+
+
 def measured_drag(reynolds):
     """Roos & Willmarth 1971, along a straight line through the logarithms of the
     measurements within a factor 1.6 of the Reynolds number."""

@@ -1,0 +1,85 @@
+// What a flow says about itself: CFL number, state, fields for output.
+#include "ephyra/fluid/flow_output.h"
+#include "ephyra/fluid/flow_solver.h"
+#include "ephyra/fluid/speed_peak.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ephyra::fluid
+{
+  double
+  FlowSolver::max_cfl(const double dt) const
+  {
+    return dt *
+           mpi::max(local_speed_peak(current).rate, the_grid.communicator());
+  }
+
+  double
+  FlowSolver::unstable_cfl() const
+  {
+    if (!parameters.convection)
+      return std::numeric_limits<double>::infinity();
+    return parameters.scheme == TimeScheme::rk3 ? 2.8 : 2.;
+  }
+
+  bool
+  FlowSolver::finite() const
+  {
+    return std::isfinite(max_cfl(1.));
+  }
+
+  // --- state and output ---------------------------------------------------
+
+  void
+  FlowSolver::serialize(Archive &archive)
+  {
+    const Archive::Group group(archive, "flow");
+    const int            n_y = the_grid.y.n_cells;
+    const auto save = [&](const std::string &name, VelocityField &field) {
+      archive.rows(name + " r",
+                   field.r.row(the_grid.first_row),
+                   field.r.layout(n_y, true));
+      archive.rows(
+        name + " y", field.y.row(the_grid.first_row), field.y.layout(n_y + 1));
+    };
+    if (archive.reading())
+      projected = true;
+    if (parameters.window.on())
+      {
+        std::int64_t shift = the_grid.shift();
+        archive.value("window shift", shift);
+        the_grid.shift_y(static_cast<int>(shift) - the_grid.shift());
+        boundary.forget_values();
+      }
+    DistributedArray &pressure = projected ? new_pressure : old_pressure;
+    save("velocity", current);
+    archive.rows(
+      "pressure", pressure.row(the_grid.first_row), pressure.layout(n_y));
+    if (parameters.scheme == TimeScheme::ab2)
+      save("history", history);
+    archive.value("time", time);
+    archive.value("time step", time_step);
+    archive.value("previous time step", previous_time_step);
+    std::int64_t is_started = started ? 1 : 0,
+                 directions = implicit.r + 2 * implicit.y;
+    archive.value("started", is_started);
+    archive.value("implicit directions", directions);
+    if (!archive.reading())
+      return;
+    started    = is_started != 0;
+    implicit.r = (directions & 1) != 0;
+    implicit.y = (directions & 2) != 0;
+    boundary.set_time(time);
+    update_ghosts();
+    new_pressure.exchange_halo();
+    boundary.fill_pressure_ghosts(new_pressure);
+  }
+
+  void
+  FlowSolver::write(GridOutput &output) const
+  {
+    write_flow(current, pressure(), output);
+  }
+} // namespace ephyra::fluid
