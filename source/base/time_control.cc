@@ -18,6 +18,11 @@ namespace ephyra
     constexpr double step_round_off     = 1e-6;
     constexpr double interval_round_off = 1e-9;
     constexpr double same_step          = 1e-12;
+
+    /// Rungs of the ladder of adaptive steps for a factor of two, and what must
+    /// be allowed beyond the next rung before a step grows to it.
+    constexpr double rungs_per_octave = 4;
+    constexpr double growth_margin    = 1.05;
   } // namespace
 
   void
@@ -45,6 +50,18 @@ namespace ephyra
                       "1.2",
                       patterns::Double("", 1, 10),
                       "Largest ratio of the lengths of successive steps.");
+    prm.declare_entry(
+      "Time step control",
+      "fixed",
+      patterns::Selection("fixed|adaptive"),
+      "fixed: the time step as given. adaptive: as long as the "
+      "CFL number and explicit viscosity of the flow allow, and "
+      "at most the time step.");
+    prm.declare_entry("CFL number",
+                      "0",
+                      patterns::Double("", 0, 1.7),
+                      "Of adaptive steps: largest (|v_r|/dr + |v_y|/dy) dt; 0: "
+                      "1.2 with the time scheme rk3, 0.3 with ab2.");
   }
 
   void
@@ -55,6 +72,12 @@ namespace ephyra
     time_step          = prm.get_double("Time step");
     smallest_time_step = prm.get_double("Smallest time step");
     growth             = prm.get_double("Growth of time step");
+    adaptive           = prm.get("Time step control") == "adaptive";
+    cfl_number         = prm.get_double("CFL number");
+    if (cfl_number > 0 && !adaptive)
+      prm.add_error("CFL number",
+                    "it has no effect on fixed steps; set Time step control = "
+                    "adaptive or remove it");
     if (smallest_time_step > time_step)
       prm.add_error("Smallest time step",
                     "it exceeds the time step, " + prm.get("Time step"));
@@ -126,7 +149,7 @@ namespace ephyra
     ++steps;
     if (n_until_growth > 0)
       --n_until_growth;
-    else
+    else if (!parameters.adaptive)
       length = std::min(length * parameters.growth, parameters.time_step);
   }
 
@@ -160,7 +183,23 @@ namespace ephyra
                           << " s needs a time step of " << largest
                           << " s, which is below the smallest allowed ("
                           << smallest_step() << " s): " << reason);
-    length = std::min(length, largest);
+    if (!parameters.adaptive)
+      {
+        length = std::min(length, largest);
+        return;
+      }
+    // The rung at or below a length; those of the ladder stay where they are.
+    const auto rung = [this](const double step) {
+      const double k = std::ceil(
+        rungs_per_octave * std::log2(parameters.time_step / step) - 1e-9);
+      return parameters.time_step *
+             std::exp2(-std::max(k, 0.) / rungs_per_octave);
+    };
+    const double next = rung(length * std::exp2(1. / rungs_per_octave));
+    if (length > largest)
+      length = rung(largest);
+    else if (n_until_growth == 0 && largest >= growth_margin * next)
+      length = next;
   }
 
   std::int64_t

@@ -106,6 +106,7 @@ namespace ephyra::fluid
   void
   Boundary::set_time(const double t)
   {
+    now = t;
     for (Formulas &side : sides)
       {
         if (evaluated && side.steady)
@@ -278,7 +279,8 @@ namespace ephyra::fluid
           "The velocities given on the sides of the flow domain let "
             << 2 * M_PI * std::abs(sums[0]) << " m^3/s more "
             << (sums[0] < 0 ? "in than out" : "out than in")
-            << ", and an incompressible flow cannot store it: make "
+            << " at t = " << now
+            << " s, and an incompressible flow cannot store it: make "
                "one side \"outflow\" or \"pressure\", or balance "
                "the formulas.");
         return;

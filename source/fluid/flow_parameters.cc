@@ -172,6 +172,15 @@ namespace ephyra::fluid
                     "window.");
   }
 
+  double
+  FlowParameters::explicit_time_step_limit(const GridLine &r_line,
+                                           const GridLine &y_line) const
+  {
+    const double dr = r_line.smallest_width(), dy = y_line.smallest_width();
+    return explicit_viscous_number() /
+           (4 * kinematic_viscosity() * (1 / (dr * dr) + 1 / (dy * dy)));
+  }
+
   void
   FlowParameters::check() const
   {

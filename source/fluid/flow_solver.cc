@@ -15,14 +15,6 @@ namespace ephyra::fluid
   {
     constexpr unsigned int n_substeps = 3;
 
-    /// Largest nu dt (4/dr^2 + 4/dy^2) with explicit viscosity; the limits of
-    /// the schemes on the negative real axis are 2.51 and 1.
-    double
-    real_axis_limit(const TimeScheme scheme)
-    {
-      return scheme == TimeScheme::rk3 ? 2.4 : 0.95;
-    }
-
     const FlowParameters &
     checked(const FlowParameters &parameters)
     {
@@ -150,11 +142,7 @@ namespace ephyra::fluid
   double
   FlowSolver::viscous_time_step_limit() const
   {
-    const double dr = the_grid.r.smallest_width(),
-                 dy = the_grid.y.smallest_width();
-    return real_axis_limit(parameters.scheme) /
-           (4 * parameters.kinematic_viscosity() *
-            (1 / (dr * dr) + 1 / (dy * dy)));
+    return parameters.explicit_time_step_limit(the_grid.r, the_grid.y);
   }
 
   void
@@ -178,7 +166,7 @@ namespace ephyra::fluid
     check_time_step(time_step);
     ImplicitDirections chosen;
     const double       nu    = parameters.kinematic_viscosity();
-    const double       limit = real_axis_limit(parameters.scheme);
+    const double       limit = parameters.explicit_viscous_number();
     const double       number_r =
       4 * nu * time_step / std::pow(the_grid.r.smallest_width(), 2);
     const double number_y =

@@ -9,6 +9,13 @@
 
 namespace ephyra::fluid
 {
+  namespace
+  {
+    /// Cost of a step with implicit viscosity over that of an explicit one, see
+    /// the table of speeds in the manual.
+    constexpr double implicit_cost = 1.7;
+  } // namespace
+
   double
   FlowSolver::max_cfl(const double dt) const
   {
@@ -22,6 +29,30 @@ namespace ephyra::fluid
     if (!parameters.convection)
       return std::numeric_limits<double>::infinity();
     return parameters.scheme == TimeScheme::rk3 ? 2.8 : 2.;
+  }
+
+  double
+  FlowSolver::default_cfl_number() const
+  {
+    return parameters.scheme == TimeScheme::rk3 ? 1.2 : 0.3;
+  }
+
+  double
+  FlowSolver::largest_time_step(const double cfl_number) const
+  {
+    const double cfl = cfl_number > 0 ? cfl_number : default_cfl_number();
+    // Speeds in cells grow by the body force: (rate + f/(rho dy) h) h = cfl.
+    const double rate   = max_cfl(1.);
+    const double growth = std::abs(body_force(time)) / parameters.density /
+                          the_grid.y.smallest_width();
+    const double by_speed =
+      2 * cfl / (rate + std::sqrt(rate * rate + 4 * growth * cfl));
+    const double by_viscosity = viscous_time_step_limit();
+    if (parameters.viscous == ViscousTreatment::implicit ||
+        (parameters.viscous == ViscousTreatment::automatic &&
+         by_speed > implicit_cost * by_viscosity))
+      return by_speed;
+    return std::min(by_speed, by_viscosity);
   }
 
   bool

@@ -183,6 +183,44 @@ namespace ephyra::immersed_boundary
       record.add(name + " " + s.where + "separation angle [deg]", s.angle);
   }
 
+  double
+  RigidFlow::largest_step(const double t,
+                          const double longest,
+                          const double cfl_number) const
+  {
+    constexpr int          n_samples = 16;
+    const MarkerState     &m         = the_markers->state();
+    const auto            &first     = the_markers->first_of_curve();
+    const fluid::GridLine &y         = flow.grid().y;
+    double                 largest   = std::numeric_limits<double>::infinity();
+    for (int b = 0; b < n_bodies(); ++b)
+      {
+        const RigidBody &body  = *bodies[b];
+        double           width = y.length();
+        for (int l = first[first_curve[b]]; l < first[first_curve[b + 1]]; ++l)
+          width = std::min(
+            width, y.width[std::clamp(y.cell_of(m.y[l]), 0, y.n_cells - 1)]);
+        const double reach = cfl_number * width;
+        double       speed = std::abs(body.velocity), acceleration = 0;
+        if (body.is_free())
+          {
+            const double ratio = body.parameters.density / flow.density();
+            acceleration       = t > 0 ? std::abs(body.acceleration)
+                                       : std::abs((ratio - 1) / (ratio + 0.5) *
+                                            body.parameters.gravity);
+          }
+        else
+          for (int k = 0; k <= n_samples; ++k)
+            speed =
+              std::max(speed, std::abs(body.law(t + longest * k / n_samples)));
+        largest = std::min(
+          largest,
+          2 * reach /
+            (speed + std::sqrt(speed * speed + 4 * acceleration * reach)));
+      }
+    return largest;
+  }
+
   void
   RigidFlow::evaluate(Record &record)
   {

@@ -1,12 +1,25 @@
 #include "ephyra/simulation/flow_model.h"
 
+#include "ephyra/base/log.h"
 #include "ephyra/fluid/flow_diagnostics.h"
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 
 namespace ephyra::simulation
 {
+  namespace
+  {
+    /// An adaptive step is repeated where the CFL number exceeds the wanted one
+    /// by this factor at its end.
+    constexpr double overshoot = 1.3;
+    /// Reynolds number of a cell from which on the log says that the flow is
+    /// not resolved.
+    constexpr double coarse_cells = 200;
+  } // namespace
+
   FlowModel::FlowModel(const Scene &scene, const MPI_Comm comm)
     : flow(std::make_unique<fluid::FlowSolver>(scene.fluid, comm))
     , probes(std::make_unique<FlowProbes>(scene.flow_sampling,
@@ -16,7 +29,11 @@ namespace ephyra::simulation
     , regions(scene.flow_regions)
   {
     using immersed_boundary::RigidBody;
-    flow->check_time_step(scene.time.time_step);
+    if (!scene.time.adaptive)
+      flow->check_time_step(scene.time.time_step);
+    else
+      cfl_number = scene.time.cfl_number > 0 ? scene.time.cfl_number
+                                             : flow->default_cfl_number();
     for (const TracerParameters &parameters : scene.tracers)
       tracers.emplace_back(parameters, scene.fluid, flow->velocity());
     if (!scene.rigid_bodies)
@@ -49,11 +66,40 @@ namespace ephyra::simulation
       flow->advance(t, dt);
     if (!status.success)
       return status;
-    status = flow_status.check(*flow, dt);
+    status                = flow_status.check(*flow, dt);
+    const double last_cfl = flow_status.cfl();
+    if (status.success && !told_of_coarse_cells)
+      tell_of_coarse_cells(dt);
+    if (status.success && cfl_number > 0 && last_cfl > overshoot * cfl_number)
+      {
+        std::ostringstream reason;
+        reason << "the flow has sped up to the CFL number " << last_cfl
+               << " within the step, " << cfl_number << " is wanted";
+        return StepStatus::failure(reason.str());
+      }
     if (status.success)
       for (Tracers &set : tracers)
         set.advance(t, dt, flow->velocity());
     return status;
+  }
+
+  void
+  FlowModel::tell_of_coarse_cells(const double dt)
+  {
+    const fluid::StaggeredGrid &grid = flow->grid();
+    const double                width =
+      std::min(grid.r.smallest_width(), grid.y.smallest_width());
+    const double number = flow_status.cfl() / dt * width * width *
+                          flow->density() / flow->viscosity();
+    if (!(number > coarse_cells) || !std::isfinite(number))
+      return;
+    told_of_coarse_cells = true;
+    std::ostringstream text;
+    text << "The flow is not resolved: a cell of " << width
+         << " m has the Reynolds number " << number
+         << "; boundary layers and thin vortices need one below about 10. "
+            "Refine the grid, or take the results as those of coarse cells.";
+    log().warning(text.str());
   }
 
   void
@@ -87,6 +133,15 @@ namespace ephyra::simulation
     record.add("relative divergence [-]",
                fluid::relative_divergence(flow->velocity()));
     record.add("CFL number [-]", flow_status.cfl());
+  }
+
+  double
+  FlowModel::largest_step(const double t, const double longest) const
+  {
+    const double by_flow = flow->largest_time_step(cfl_number);
+    return bodies
+             ? std::min(by_flow, bodies->largest_step(t, longest, cfl_number))
+             : by_flow;
   }
 
   double

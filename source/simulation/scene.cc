@@ -194,6 +194,10 @@ namespace ephyra::simulation
       const ParameterHandler::Section section(prm, "Time");
       time.parse(prm);
       time.time_step /= refinement;
+      if (time.adaptive && !flow)
+        prm.add_error("Time step control",
+                      "adaptive steps follow the flow, and there is none; set "
+                      "it to fixed or add flow to Physics.");
       cut_backs       = prm.get_bool("Cut-backs");
       wall_time_limit = prm.get_double("Wall time limit");
     }

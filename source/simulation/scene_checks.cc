@@ -1,6 +1,7 @@
 #include "ephyra/simulation/scene_checks.h"
 
 #include "ephyra/base/exceptions.h"
+#include "ephyra/simulation/flow_checks.h"
 #include "ephyra/simulation/window_checks.h"
 
 #include <algorithm>
@@ -169,9 +170,7 @@ namespace ephyra::simulation
     }
 
     void
-    check_rigid_bodies(const Scene      &scene,
-                       const Grid       &grid,
-                       ParameterHandler &prm)
+    check_places(const Scene &scene, const Grid &grid, ParameterHandler &prm)
     {
       for (const auto &parameters : scene.bodies)
         {
@@ -268,8 +267,13 @@ namespace ephyra::simulation
       grid = make_grid(scene, prm);
     if (scene.elasticity)
       check_body(scene, grid ? &*grid : nullptr, prm);
+    if (grid)
+      check_flow(scene, grid->r, grid->y, prm);
     if (scene.rigid_bodies && grid)
-      check_rigid_bodies(scene, *grid, prm);
+      {
+        check_places(scene, *grid, prm);
+        check_rigid_bodies(scene, grid->r, grid->y, prm);
+      }
     if (scene.elasticity && scene.flow)
       check_coupling(scene, prm);
     if (scene.flow)

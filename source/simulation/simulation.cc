@@ -169,6 +169,8 @@ namespace ephyra::simulation
   {
     Record record;
     record.add("step [-]", static_cast<double>(time->n_steps()));
+    if (scene.time.adaptive)
+      record.add("time step [s]", time->time() - time->previous_time());
     model->evaluate(record);
     return record;
   }
@@ -198,6 +200,11 @@ namespace ephyra::simulation
   void
   Simulation::step()
   {
+    if (scene.time.adaptive)
+      time->limit_step_size(
+        model->largest_step(time->time(), scene.time.time_step),
+        "the flow or a body is too fast for the cells of the grid; lower the "
+        "Smallest time step or coarsen the grid.");
     if (scene.cut_backs)
       {
         const TimerTree::Scope scope(timer(), "save state");

@@ -10,8 +10,10 @@ namespace ephyra::simulation
     : regions(scene.flow_regions)
   {
     const geometry::BodyPatch shape = geometry::create_body(scene.body);
-    flow = std::make_unique<fluid::FlowSolver>(scene.fluid, comm);
-    flow->check_time_step(scene.time.time_step);
+    flow       = std::make_unique<fluid::FlowSolver>(scene.fluid, comm);
+    cfl_number = scene.time.cfl_number;
+    if (!scene.time.adaptive)
+      flow->check_time_step(scene.time.time_step);
     body = build_body(scene, shape, comm);
     if (scene.fluid.window.on())
       window = std::make_unique<fluid::MovingWindow>(
@@ -86,6 +88,12 @@ namespace ephyra::simulation
   SwimmerModel::evaluate_iterations(Record &record) const
   {
     scheme->evaluate_iterations(record);
+  }
+
+  double
+  SwimmerModel::largest_step(double, double) const
+  {
+    return flow->largest_time_step(cfl_number);
   }
 
   double

@@ -81,6 +81,70 @@ class BadInputTest(runs.SystemTest):
                     parts=("Rigid body sphere/Position", "The body 'sphere' reaches (r, y) = ",
                            "3 cells inside of the flow grid [0, 0.05] x [0, 0.096] m"))
 
+    def test_sides_that_do_not_balance(self):
+        def inflow(formula):
+            return runs.sets(Fluid__Lower_boundary__Type="velocity",
+                             Fluid__Lower_boundary__Axial_velocity=formula)
+
+        self.refuse(runs.SCENES / "flow.prm", *inflow("1"),
+                    parts=("1 error in the parameters:",
+                           "let 3.14159 m^3/s more in than out at t = 0 s",
+                           'make one side "outflow" or "pressure"'))
+        self.refuse(runs.SCENES / "flow.prm", *inflow("step(t - 0.1)*(s^2 - 1)"),
+                    parts=("more out than in at t = 0.1 s",))
+        self.run_program("--validate", runs.SCENES / "flow.prm", *inflow("sin(t)"),
+                         *runs.sets(Fluid__Upper_boundary__Type="outflow"))
+        self.run_program("--validate", runs.SCENES / "flow.prm", *inflow("sin(t)"),
+                         *runs.sets(Fluid__Upper_boundary__Type="velocity",
+                                    Fluid__Upper_boundary__Axial_velocity="sin(t)"))
+
+    def test_sides_that_contradict_the_fluid(self):
+        self.refuse(runs.SCENES / "flow.prm", *runs.sets(Fluid__Viscosity="0 Pa s"),
+                    parts=("3 errors in the parameters:", "Fluid/Lower boundary/Type",
+                           "Fluid/Upper boundary/Type", "Fluid/Outer boundary/Type"))
+        self.refuse(runs.SCENES / "flow.prm",
+                    *runs.sets(Fluid__Lower_boundary__Type="periodic",
+                               Fluid__Upper_boundary__Type="periodic",
+                               Fluid__Grid__Axial_spacings="0.05 m, 0.06 m"),
+                    parts=("Fluid/Grid/Axial spacings",
+                           "a periodic flow needs a uniform axial spacing"))
+
+    def test_time_steps(self):
+        self.refuse(runs.SCENES / "flow.prm",
+                    *runs.sets(Fluid__Viscous_terms="explicit", Time__Time_step="0.2 s"),
+                    parts=("Fluid/Viscous terms", "the time step 0.2 s exceeds the limit of "
+                           "explicit viscosity, 0.117188 s"))
+        self.refuse(runs.SCENES / "flow.prm", *runs.sets(Time__CFL_number="1"),
+                    parts=("Time/CFL number", "set Time step control = adaptive"))
+        process = self.run_program(
+            "--validate", runs.SCENES / "sphere.prm",
+            *runs.sets(Rigid_body_sphere__Motion="prescribed",
+                       Rigid_body_sphere__Velocity="10*sin(400*t)"))
+        self.assertEqual(process.stdout.count("The body 'sphere' crosses 6."), 1)
+
+    def test_rigid_bodies(self):
+        self.refuse(runs.SCENES / "sphere.prm", *runs.sets(Rigid_body_sphere__Radius="0.7 mm"),
+                    parts=("Rigid body sphere/Shape", "the body is only 0.93"))
+        self.refuse(runs.SCENES / "sphere.prm",
+                    *runs.sets(Rigid_body_sphere__Density="900 kg/m^3",
+                               Rigid_body_sphere__Interior_fluid="rigid"),
+                    parts=("Rigid body sphere/Interior fluid",
+                           "the body has 900 kg/m^3 and the fluid 960"))
+        self.refuse(runs.SCENES / "sphere.prm",
+                    *runs.sets(Immersed_boundary__Marker_spacing="1.5"),
+                    parts=("Immersed boundary/Marker spacing", "out of range"))
+        text = (runs.SCENES / "sphere.prm").read_text(encoding="utf-8")
+        for position, overlap in (("38 mm", False), ("50 mm", True)):
+            other = (f"\nsubsection Rigid body other\n  set Radius = 7.5 mm\n"
+                     f"  set Position = {position}\nend\n")
+            if overlap:
+                self.refuse_text(text + other, "Rigid body other/Position",
+                                 "the body overlaps with the body 'sphere' at the start: "
+                                 "move them apart")
+            else:
+                (self.folder / "good.prm").write_text(text + other, encoding="utf-8")
+                self.run_program("--validate", "good.prm")
+
     def test_coupling_that_fits_neither_density_nor_time_scheme(self):
         self.refuse(runs.SCENES / "swim.prm",
                     *runs.sets(Coupling__Scheme="forcing as load",

@@ -10,7 +10,10 @@ namespace ephyra
 {
   /// The clock of a run: which step is next, how long it is, and when the run
   /// is over. A step that fails is repeated with half its length; after some
-  /// good steps the length grows back.
+  /// good steps the length grows back. Adaptive lengths are time_step / 2^(k/4)
+  /// with whole k, so that few of them occur: they are cut at once where the
+  /// solvers ask for shorter ones, and grow by one rung of this ladder a step,
+  /// with a margin.
   ///
   ///   while (!time_control.finished())
   ///     if (advance(time_control.time(), time_control.step_size()))
@@ -26,7 +29,9 @@ namespace ephyra
       std::int64_t n_steps   = 0;    ///< end after so many steps; 0: no limit
       double       time_step = 1e-3; ///< s, the largest and the first
       double       smallest_time_step = 0; ///< s, 0: a thousandth of time_step
-      double       growth = 1.2;           ///< of the length, from step to step
+      double       growth     = 1.2;       ///< of the length, from step to step
+      bool         adaptive   = false;     ///< as long as the solvers allow
+      double       cfl_number = 0; ///< largest; 0: what suits the time scheme
 
       /// Of the subsection that is open.
       static void
@@ -66,8 +71,9 @@ namespace ephyra
     void
     cut_step(const std::string &reason);
     /// Before a step: shortens it to @p largest (s), which a solver allows at
-    /// most; a larger value changes nothing. Throws DivergedError with the
-    /// reason ("the flow is fast") below the smallest time step.
+    /// most; a larger value changes nothing, but lets adaptive steps grow.
+    /// Throws DivergedError with the reason ("the flow is fast") below the
+    /// smallest time step.
     void
     limit_step_size(double largest, const std::string &reason);
 

@@ -131,5 +131,6 @@ namespace ephyra::fluid
     const StaggeredGrid &grid;
     Formulas             sides[3];
     bool                 evaluated = false;
+    double               now       = 0; ///< of set_time(), s
   };
 } // namespace ephyra::fluid

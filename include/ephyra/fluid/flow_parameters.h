@@ -86,6 +86,16 @@ namespace ephyra::fluid
     {
       return viscosity / density;
     }
+    /// Largest nu dt (4/dr^2 + 4/dy^2) with explicit viscosity, a little below
+    /// the measured limits of the schemes, 2.51 and 1.
+    double
+    explicit_viscous_number() const
+    {
+      return scheme == TimeScheme::rk3 ? 2.4 : 0.95;
+    }
+    /// Longest step with explicit viscosity, s; infinite without viscosity.
+    double
+    explicit_time_step_limit(const GridLine &r, const GridLine &y) const;
     /// Throws InputError where entries contradict each other.
     void
     check() const;

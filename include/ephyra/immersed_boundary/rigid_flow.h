@@ -48,6 +48,13 @@ namespace ephyra::immersed_boundary
     void
     serialize(Archive &archive);
 
+    /// Longest step from t, s, in which no body moves by more than
+    /// @p cfl_number cells: by the law within the next @p longest seconds, or
+    /// from its velocity and acceleration, at the start the one that added mass
+    /// (half of the displaced fluid) leaves to it.
+    double
+    largest_step(double t, double longest, double cfl_number) const;
+
     /// Columns of statistics.csv: motion and forces of each body, slip and
     /// leakage of the surfaces; collective.
     void

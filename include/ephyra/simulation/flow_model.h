@@ -25,6 +25,8 @@ namespace ephyra::simulation
     evaluate(Record &record) override;
     double
     cfl() const override;
+    double
+    largest_step(double time, double longest) const override;
     void
     write_probes(double time, RunOutput &output) const override;
     void
@@ -37,6 +39,10 @@ namespace ephyra::simulation
     end_reason() const override;
 
   private:
+    /// Says once that cells are too coarse for the Reynolds number.
+    void
+    tell_of_coarse_cells(double dt);
+
     std::unique_ptr<fluid::FlowSolver>            flow;
     std::unique_ptr<immersed_boundary::RigidFlow> bodies;       ///< null: none
     std::unique_ptr<fluid::MovingWindow>          window;       ///< null: none
@@ -45,5 +51,8 @@ namespace ephyra::simulation
     std::vector<FlowRegion>                       regions;
     std::vector<Tracers>                          tracers;
     FlowStatus                                    flow_status;
+    /// Of adaptive steps; 0: the step is fixed.
+    double cfl_number           = 0;
+    bool   told_of_coarse_cells = false;
   };
 } // namespace ephyra::simulation

@@ -31,9 +31,10 @@ namespace ephyra::simulation
     {
       return -1.;
     }
-    /// Longest next step that the model allows, s, for the adaptive step.
+    /// Longest next step from @p time that the model allows, s, for adaptive
+    /// steps of at most @p longest; collective.
     virtual double
-    largest_step() const
+    largest_step(double /*time*/, double /*longest*/) const
     {
       return std::numeric_limits<double>::infinity();
     }

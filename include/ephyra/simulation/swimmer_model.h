@@ -32,6 +32,8 @@ namespace ephyra::simulation
     double
     cfl() const override;
     double
+    largest_step(double time, double longest) const override;
+    double
     iterations() const override;
     void
     write_probes(double time, RunOutput &output) const override;
@@ -56,6 +58,7 @@ namespace ephyra::simulation
     std::vector<FlowRegion>                   regions;
     std::vector<Tracers>                      tracers;
     FlowStatus                                flow_status;
+    double                                    cfl_number      = 0;
     double                                    last_iterations = 0;
   };
 } // namespace ephyra::simulation

@@ -162,6 +162,51 @@ BOOST_AUTO_TEST_CASE(solvers_shorten_steps)
   BOOST_TEST(control.step_size() == 0.36, boost::test_tools::tolerance(1e-15));
 }
 
+BOOST_AUTO_TEST_CASE(adaptive_steps_stay_on_a_ladder)
+{
+  auto adaptive     = parameters(1000., 1.);
+  adaptive.adaptive = true;
+  TimeControl  control(adaptive);
+  const double rung = std::exp2(-0.25);
+  control.limit_step_size(0.5, "");
+  BOOST_TEST(control.step_size() == 0.5);
+  control.accept_step();
+  // No growth without a margin, however often it is asked for.
+  for (const double allowed : {0.501, 0.55, 0.5 / rung, 1.04 * 0.5 / rung})
+    {
+      control.limit_step_size(allowed, "");
+      BOOST_TEST(control.step_size() == 0.5);
+      control.accept_step();
+    }
+  // One rung a step, whatever is allowed, up to the largest step.
+  for (const int k : {3, 2, 1, 0, 0})
+    {
+      control.limit_step_size(100., "");
+      BOOST_TEST(control.step_size() == std::pow(rung, k),
+                 boost::test_tools::tolerance(1e-12));
+      control.accept_step();
+    }
+  // Shorter at once, on the rung below.
+  control.limit_step_size(0.3, "");
+  BOOST_TEST(control.step_size() == std::pow(rung, 7),
+             boost::test_tools::tolerance(1e-12));
+  // A step that failed is on the ladder too, and does not grow at once.
+  control.cut_step("x");
+  control.limit_step_size(100., "");
+  BOOST_TEST(control.step_size() == std::pow(rung, 11),
+             boost::test_tools::tolerance(1e-12));
+  // A jittering limit makes few different steps.
+  std::vector<double> lengths;
+  for (int k = 0; k < 200; ++k, control.accept_step())
+    {
+      control.limit_step_size(0.4 * (1 + 0.02 * std::sin(1.7 * k)), "");
+      if (lengths.empty() || lengths.back() != control.step_size())
+        lengths.push_back(control.step_size());
+    }
+  BOOST_TEST(lengths.size() < 9u);
+  BOOST_CHECK_THROW(control.limit_step_size(1e-4, "fast"), DivergedError);
+}
+
 BOOST_AUTO_TEST_CASE(state_is_restored)
 {
   TimeControl control(parameters(10., 0.1));
