@@ -299,7 +299,7 @@ def sphere_drag_re20(run):
 @case(QUICK, "sphere_in_tube")
 def sphere_in_tube(run):
     yield relative("drag coefficient by forcing",
-                   run.result["sphere drag coefficient by forcing [-]"], 24 * 1.680, 0.015,
+                   run.result["sphere drag coefficient by forcing [-]"], 24 * 1.680, 0.005,
                    "Stokes, wall factor of Haberman & Sayre 1958")
 
 
