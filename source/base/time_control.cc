@@ -61,7 +61,7 @@ namespace ephyra
                       "0",
                       patterns::Double("", 0, 1.7),
                       "Of adaptive steps: largest (|v_r|/dr + |v_y|/dy) dt; 0: "
-                      "1.2 with the time scheme rk3, 0.3 with ab2.");
+                      "1 with the time scheme rk3, 0.3 with ab2.");
   }
 
   void

@@ -13,7 +13,7 @@ namespace ephyra::fluid
   {
     /// Cost of a step with implicit viscosity over that of an explicit one, see
     /// the table of speeds in the manual.
-    constexpr double implicit_cost = 1.7;
+    constexpr double implicit_cost = 2.3;
   } // namespace
 
   double
@@ -34,7 +34,7 @@ namespace ephyra::fluid
   double
   FlowSolver::default_cfl_number() const
   {
-    return parameters.scheme == TimeScheme::rk3 ? 1.2 : 0.3;
+    return parameters.scheme == TimeScheme::rk3 ? 1.0 : 0.3;
   }
 
   double

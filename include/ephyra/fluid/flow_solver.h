@@ -164,7 +164,7 @@ namespace ephyra::fluid
     double
     viscous_time_step_limit() const;
     /// Longest step from the present velocity, s: CFL number at most
-    /// @p cfl_number (0: 1.2 with rk3, 0.3 with ab2, well below the measured
+    /// @p cfl_number (0: 1 with rk3, 0.3 with ab2, well below the measured
     /// limits), from rest also by the body force. Where viscosity may be
     /// explicit or implicit, an explicit step at its limit is preferred unless
     /// an implicit one could be longer by more than it costs. Collective.
