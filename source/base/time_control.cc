@@ -61,7 +61,8 @@ namespace ephyra
                       "0",
                       patterns::Double("", 0, 1.7),
                       "Of adaptive steps: largest (|v_r|/dr + |v_y|/dy) dt; 0: "
-                      "1 with the time scheme rk3, 0.3 with ab2.");
+                      "1.2 with the time scheme rk3, 0.9 with a single "
+                      "projection a step, 0.3 with ab2.");
   }
 
   void

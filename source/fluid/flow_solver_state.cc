@@ -34,7 +34,9 @@ namespace ephyra::fluid
   double
   FlowSolver::default_cfl_number() const
   {
-    return parameters.scheme == TimeScheme::rk3 ? 1.0 : 0.3;
+    if (parameters.scheme == TimeScheme::ab2)
+      return 0.3;
+    return parameters.project_every_substep ? 1.2 : 0.9;
   }
 
   double

@@ -283,6 +283,10 @@ namespace ephyra::simulation
     // So that the run can be extended.
     if (scene.output.checkpoints.on() && last_checkpoint != time->n_steps())
       write_checkpoint();
+    // result.csv ends with the end of the run, due or not. The checkpoint does
+    // not have this: a run that is extended has its rows at regular intervals.
+    if (scene.output.statistics.on() && !scene.output.statistics.due(*time))
+      output->collect(time->time(), statistics());
     return finish(ExitCode::success, how);
   }
 

@@ -80,6 +80,15 @@ class StopTest(runs.SystemTest):
                                                         Time__End_time="10.5 ms"))
         self.assertEqual(self.table("time")["time [s]"][-1], 0.0105)
 
+    def test_results_are_those_of_the_end(self):
+        for interval in (1, 5):
+            self.run_scene("sphere.prm", f"every{interval}", *runs.sets(
+                Time__Number_of_steps=7, Output__Statistics__Step_interval=interval))
+        self.assertEqual(self.table("every5")["step [-]"][-1], 5)
+        for name in ("sphere velocity y [m/s]", "kinetic energy [J]"):
+            self.assertEqual(*(self.table(f"every{interval}", "result.csv")[name][0]
+                               for interval in (1, 5)))
+
 
 if __name__ == "__main__":
     runs.main()
