@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace ephyra::io
 {
@@ -187,6 +188,22 @@ namespace ephyra::io
 
   namespace
   {
+    /// Points of all cells in turn, and where those of each cell end.
+    void
+    add_cells(VtkXml                          &file,
+              const std::vector<std::int64_t> &connectivity,
+              const std::vector<std::int64_t> &offsets)
+    {
+      for (const auto &[name, values] :
+           {std::make_pair("connectivity", &connectivity),
+            std::make_pair("offsets", &offsets)})
+        file.add_array("Int64",
+                       name,
+                       1,
+                       values->data(),
+                       values->size() * sizeof(std::int64_t));
+    }
+
     void
     write_bezier_cells(const std::string &file_name, const BezierOutput &output)
     {
@@ -238,16 +255,7 @@ namespace ephyra::io
       file.xml << "</CellData>\n<Points>\n";
       add_array(file, "Points", 3, points);
       file.xml << "</Points>\n<Cells>\n";
-      file.add_array("Int64",
-                     "connectivity",
-                     1,
-                     connectivity.data(),
-                     connectivity.size() * sizeof(std::int64_t));
-      file.add_array("Int64",
-                     "offsets",
-                     1,
-                     offsets.data(),
-                     offsets.size() * sizeof(std::int64_t));
+      add_cells(file, connectivity, offsets);
       file.add_array("UInt8", "types", 1, types.data(), types.size());
       file.xml << "</Cells>\n</Piece>\n";
       file.finish(file_name);
@@ -286,16 +294,7 @@ namespace ephyra::io
       file.xml << "</PointData>\n<Points>\n";
       add_array(file, "Points", 3, points);
       file.xml << "</Points>\n<Verts>\n";
-      file.add_array("Int64",
-                     "connectivity",
-                     1,
-                     connectivity.data(),
-                     connectivity.size() * sizeof(std::int64_t));
-      file.add_array("Int64",
-                     "offsets",
-                     1,
-                     offsets.data(),
-                     offsets.size() * sizeof(std::int64_t));
+      add_cells(file, connectivity, offsets);
       file.xml << "</Verts>\n</Piece>\n";
       file.finish(file_name);
     }
