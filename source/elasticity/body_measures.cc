@@ -306,8 +306,13 @@ namespace ephyra::elasticity
                                (d1.y * D2.y - d2.y * D1.y) / det,
                                1. + (-d1.y * D2.r + d2.y * D1.r) / det,
                                1. + v.r / X.r};
-    out.J      = determinant(F);
-    out.cauchy = cauchy_stress(
+    out.J = determinant(F);
+    // F g_k is the tangent of the deformed line.
+    const auto stretch = [](const splines::Point &D, const splines::Point &d) {
+      return std::hypot(D.r + d.r, D.y + d.y) / std::hypot(D.r, D.y);
+    };
+    out.stretch = {{stretch(D1, d1), stretch(D2, d2), F[4]}};
+    out.cauchy  = cauchy_stress(
       prm.material,
       elastic_part(F,
                    active_strain.deformation({D1, D2, X.r},

@@ -11,25 +11,22 @@ namespace ephyra::simulation
   }
 
   BezierOutput
-  BodyFields::evaluate(const elasticity::ElasticityOperator &body,
-                       const std::vector<double>            &displacement,
-                       const std::vector<double>            &velocity) const
+  BodyFields::evaluate(const BodyState &state) const
   {
     BezierOutput        output;
     std::vector<double> position(reference);
     for (std::size_t i = 0; i < position.size(); ++i)
-      position[i] += displacement[i];
+      position[i] += state.displacement[i];
     extraction.write_cells(output, position);
     output.name = "body";
-    extraction.write_field(output, "displacement [m]", displacement, 2);
-    extraction.write_field(output, "velocity [m/s]", velocity, 2);
+    extraction.write_field(output, "displacement [m]", state.displacement, 2);
+    extraction.write_field(output, "velocity [m/s]", state.velocity, 2);
 
     // What is no spline is sampled in each cell.
     std::vector<double> activation, pattern, J, stress;
     for (const auto &theta : extraction.sample_points())
       {
-        const elasticity::PointFields f =
-          body.fields(displacement, theta[0], theta[1]);
+        const elasticity::PointFields f = state.fields(theta[0], theta[1]);
         activation.push_back(f.activation);
         pattern.push_back(f.pattern);
         J.push_back(f.J);

@@ -6,7 +6,7 @@ namespace ephyra::simulation
 {
   BodyModel::BodyModel(const Scene &scene, const MPI_Comm comm)
     : body(build_body(scene, geometry::create_body(scene.body), comm))
-    , body_output(std::make_unique<BodyOutput>(*body, scene.body_probes))
+    , body_output(std::make_unique<BodyOutput>(*body, scene.body_sampling))
   {
   }
 

@@ -4,25 +4,33 @@
 
 namespace ephyra::simulation
 {
-  BodyOutput::BodyOutput(coupling::DeformableBody     &body,
-                         const std::vector<BodyProbe> &probe_list)
+  BodyOutput::BodyOutput(coupling::DeformableBody &body,
+                         const BodySampling       &sampling)
     : body(body)
     , fields(body.mechanics().body().patch())
     , side(body.mechanics().body().patch(), splines::Side::theta2_0)
-    , probes(probe_list, body.mechanics().body().patch())
+    , probes(sampling, body.mechanics().body().patch())
     , net(dynamic_cast<const coupling::NerveNet *>(body.activation()))
   {
     if (net)
       line = LineProfile(net->line());
   }
 
+  BodyState
+  BodyOutput::state() const
+  {
+    const elasticity::ElasticitySolver &solver = body.mechanics();
+    return {solver.displacement(),
+            solver.velocity(),
+            [&solver](const double theta1, const double theta2) {
+              return solver.fields(theta1, theta2);
+            }};
+  }
+
   void
   BodyOutput::write_probes(const double time, RunOutput &output) const
   {
-    probes.write(time,
-                 body.mechanics().displacement(),
-                 body.mechanics().velocity(),
-                 output);
+    probes.write_probes(time, state(), output);
   }
 
   void
@@ -31,6 +39,7 @@ namespace ephyra::simulation
     const auto &u = body.mechanics().displacement();
     side.write("radial_displacement", time, u, 2, 0, output);
     side.write("axial_displacement", time, u, 2, 1, output);
+    probes.write_lines(time, state(), output);
     if (!net)
       return;
     line->write("potential", time, net->tissue().potential(), 1, 0, output);
@@ -42,10 +51,6 @@ namespace ephyra::simulation
   void
   BodyOutput::write_fields(const double time, RunOutput &output) const
   {
-    output.add_fields("body",
-                      time,
-                      fields.evaluate(body.mechanics().body(),
-                                      body.mechanics().displacement(),
-                                      body.mechanics().velocity()));
+    output.add_fields("body", time, fields.evaluate(state()));
   }
 } // namespace ephyra::simulation

@@ -127,10 +127,7 @@ namespace ephyra::simulation
     FlowRegion::declare(prm);
     TracerParameters::declare(prm);
     immersed_boundary::Parameters::declare(prm);
-    prm.declare_repeated_subsection("Body probe",
-                                    BodyProbe::declare,
-                                    "A material point of the deformable body, "
-                                    "by any name.");
+    BodySampling::declare(prm);
     prm.declare_repeated_subsection("Rigid body",
                                     declare_rigid_body,
                                     "A rigid body in the flow, by any name.");
@@ -213,7 +210,7 @@ namespace ephyra::simulation
         refine(body.discretization.n_elements, refinement);
       }
     if (elasticity)
-      body_probes = BodyProbe::parse_all(prm);
+      body_sampling.parse(prm);
     if (electrophysiology && !elasticity)
       {
         const ParameterHandler::Section section(prm, "Tissue");

@@ -217,6 +217,30 @@ namespace ephyra::simulation
                       "sequential.");
     }
 
+    /// What is recorded in the flow and in the body goes into different files.
+    void
+    check_names_of_samples(const Scene &scene, ParameterHandler &prm)
+    {
+      const auto check = [&prm](const auto        &of_body,
+                                const auto        &of_flow,
+                                const std::string &kind,
+                                const std::string &entry) {
+        for (const auto &a : of_body)
+          for (const auto &b : of_flow)
+            if (a.name == b.name)
+              prm.add_error("Body " + kind + " " + a.name + "/" + entry,
+                            "the section Flow " + kind + " " + a.name +
+                              " writes files of the same names; choose another "
+                              "name for one of them.");
+      };
+      check(
+        scene.body_sampling.lines, scene.flow_sampling.lines, "line", "End");
+      check(scene.body_sampling.probes,
+            scene.flow_sampling.probes,
+            "probe",
+            "Point");
+    }
+
     /// Sections that are set, but of which nothing is used.
     void
     warn_of_unused_sections(Scene &scene, const ParameterHandler &prm)
@@ -278,6 +302,7 @@ namespace ephyra::simulation
       check_coupling(scene, prm);
     if (scene.flow)
       check_window(scene, grid ? &grid->y : nullptr, prm);
+    check_names_of_samples(scene, prm);
     warn_of_unused_sections(scene, prm);
   }
 } // namespace ephyra::simulation

@@ -21,7 +21,7 @@ namespace ephyra::simulation
     is_output(const std::string &section)
     {
       for (const char *name :
-           {"Output", "Body probe ", "Flow probe ", "Flow line "})
+           {"Output", "Body probe ", "Body line ", "Flow probe ", "Flow line "})
         if (section.rfind(name, 0) == 0)
           return true;
       return false;

@@ -15,10 +15,21 @@ namespace ephyra::simulation
         scene.activation);
     kinematics = std::make_unique<diagnostics::BodyKinematics>(shape.patch);
     fields     = std::make_unique<BodyFields>(shape.patch);
-    probes     = std::make_unique<BodyProbes>(scene.body_probes, shape.patch);
+    probes     = std::make_unique<BodyProbes>(scene.body_sampling, shape.patch);
     for (const splines::Side side : elasticity::all_sides)
       sides.emplace_back(elasticity::name(side),
                          LineProfile(shape.patch, side));
+    rest.assign(solver->displacement().size(), 0.);
+  }
+
+  BodyState
+  StaticsModel::state() const
+  {
+    return {solver->displacement(),
+            rest,
+            [this](const double theta1, const double theta2) {
+              return solver->fields(theta1, theta2);
+            }};
   }
 
   StepStatus
@@ -43,9 +54,8 @@ namespace ephyra::simulation
   void
   StaticsModel::evaluate(Record &record)
   {
-    const auto               &u = solver->displacement();
-    const std::vector<double> rest(u.size(), 0.);
-    const auto                measures = solver->body().measures(u, rest);
+    const auto &u        = solver->displacement();
+    const auto  measures = solver->measures();
     kinematics->evaluate(u, record);
     record.add("volume [m^3]", measures.volume);
     record.add("smallest J [-]", measures.smallest_J);
@@ -56,8 +66,7 @@ namespace ephyra::simulation
   void
   StaticsModel::write_probes(const double time, RunOutput &output) const
   {
-    const auto &u = solver->displacement();
-    probes->write(time, u, std::vector<double>(u.size(), 0.), output);
+    probes->write_probes(time, state(), output);
   }
 
   void
@@ -69,16 +78,13 @@ namespace ephyra::simulation
         profile.write("radial_displacement_" + name, time, u, 2, 0, output);
         profile.write("axial_displacement_" + name, time, u, 2, 1, output);
       }
+    probes->write_lines(time, state(), output);
   }
 
   void
   StaticsModel::write_fields(const double time, RunOutput &output)
   {
-    const std::vector<double> rest(solver->displacement().size(), 0.);
-    output.add_fields(
-      "body",
-      time,
-      fields->evaluate(solver->body(), solver->displacement(), rest));
+    output.add_fields("body", time, fields->evaluate(state()));
   }
 
   void

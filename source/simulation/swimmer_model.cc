@@ -35,7 +35,7 @@ namespace ephyra::simulation
     body->mechanics().allow_coupling(surface->coupling_pattern());
     scheme = coupling::make_fluid_structure_scheme(
       scene.coupling, *flow, *body, *surface);
-    body_output    = std::make_unique<BodyOutput>(*body, scene.body_probes);
+    body_output    = std::make_unique<BodyOutput>(*body, scene.body_sampling);
     surface_output = std::make_unique<SurfaceOutput>(*body, *surface, *flow);
     flow_probes    = std::make_unique<FlowProbes>(scene.flow_sampling,
                                                scene.immersed_boundary,

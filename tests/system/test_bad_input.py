@@ -54,6 +54,21 @@ class BadInputTest(runs.SystemTest):
                          "    set Radial breakpoints = 0 m, 2 m, 1 m\n  end\nend\n",
                          "bad.prm:3: Fluid/Grid/Radial breakpoints", "must increase")
 
+    def test_lines_of_a_body(self):
+        self.refuse_text("subsection Scene\n  set Physics = elasticity, flow\nend\n"
+                         "subsection Body\n  set Axial position = 0.5 m\nend\n"
+                         "subsection Coupling\n  set Scheme = sequential\nend\n"
+                         "subsection Flow line wall\n  set End = 0, 1 mm\nend\n"
+                         "subsection Body line wall\n  set Quantities = J, stress, J\nend\n"
+                         "subsection Body line point\n  set End = 0, 0\nend\n"
+                         "subsection Body probe tip\n  set Quantities = strain\nend\n",
+                         "4 errors in the parameters:",
+                         "Flow line wall writes files of the same names",
+                         'bad.prm:14: Body line wall/Quantities = "J, stress, J": one of them is '
+                         "named twice",
+                         'bad.prm:17: Body line point/End = "0, 0": it is the start of the line',
+                         'bad.prm:20: Body probe tip/Quantities = "strain"')
+
     def test_limits_of_a_region(self):
         self.refuse_text("subsection Flow region jet\n  set Axial limits = 2 m, 1 m\nend\n",
                          'bad.prm:2: Flow region jet/Axial limits = "2 m, 1 m": it needs two '

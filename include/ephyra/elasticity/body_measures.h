@@ -3,6 +3,8 @@
 #include "ephyra/elasticity/material.h"
 #include "ephyra/splines/nurbs_patch.h"
 
+#include <array>
+
 namespace ephyra::elasticity
 {
   /// Integrals of a body over the full revolution.
@@ -21,10 +23,12 @@ namespace ephyra::elasticity
   /// What is known at one parametric point, for output.
   struct PointFields
   {
-    splines::Point     displacement; ///< m
-    double             pattern;      ///< f_a
-    double             activation;   ///< gamma, between the Gauss lines linear
-    double             J;
-    AxisymmetricTensor cauchy; ///< Pa: rr, ry, yr, yy, hoop
+    splines::Point displacement; ///< m
+    double         pattern;      ///< f_a
+    double         activation;   ///< gamma, between the Gauss lines linear
+    double         J;
+    /// Of material lines along theta^1, theta^2 and the hoop.
+    std::array<double, 3> stretch;
+    AxisymmetricTensor    cauchy; ///< Pa: rr, ry, yr, yy, hoop
   };
 } // namespace ephyra::elasticity

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ephyra/base/output.h"
-#include "ephyra/elasticity/elasticity_operator.h"
+#include "ephyra/simulation/body_quantities.h"
 #include "ephyra/splines/bezier_extraction.h"
 #include "ephyra/splines/nurbs_patch.h"
 
@@ -17,9 +17,7 @@ namespace ephyra::simulation
     explicit BodyFields(const splines::NurbsPatch<2> &patch);
 
     BezierOutput
-    evaluate(const elasticity::ElasticityOperator &body,
-             const std::vector<double>            &displacement,
-             const std::vector<double>            &velocity) const;
+    evaluate(const BodyState &state) const;
 
   private:
     const splines::BezierExtraction<2> extraction;

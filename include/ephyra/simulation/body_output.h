@@ -10,13 +10,12 @@
 
 namespace ephyra::simulation
 {
-  /// Files about a deformable body: profiles along its subumbrellar side
-  /// (theta^2 = 0) and fields. Shared by the scenes that have such a body.
+  /// Files about a deformable body: probes, profiles along its subumbrellar
+  /// side (theta^2 = 0) and other lines, and fields. Shared by the scenes that have such a body.
   class BodyOutput
   {
   public:
-    BodyOutput(coupling::DeformableBody     &body,
-               const std::vector<BodyProbe> &probes);
+    BodyOutput(coupling::DeformableBody &body, const BodySampling &sampling);
 
     void
     write_probes(double time, RunOutput &output) const;
@@ -26,6 +25,9 @@ namespace ephyra::simulation
     write_fields(double time, RunOutput &output) const;
 
   private:
+    BodyState
+    state() const;
+
     coupling::DeformableBody  &body;
     BodyFields                 fields;
     LineProfile                side;

@@ -54,7 +54,7 @@ namespace ephyra::simulation
 
     // --- physics ----------------------------------------------------------
     geometry::BodyParameters  body;
-    std::vector<BodyProbe>    body_probes;
+    BodySampling              body_sampling;
     geometry::CurveParameters tissue_line;
     bool                      single_cell = false;
     std::vector<double> crossing_points; ///< theta^1 of probes of the tissue

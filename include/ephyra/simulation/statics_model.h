@@ -3,6 +3,7 @@
 #include "ephyra/diagnostics/body_kinematics.h"
 #include "ephyra/elasticity/statics.h"
 #include "ephyra/simulation/body_fields.h"
+#include "ephyra/simulation/body_probes.h"
 #include "ephyra/simulation/line_profile.h"
 #include "ephyra/simulation/model.h"
 
@@ -31,12 +32,16 @@ namespace ephyra::simulation
     add_results(Record &record) const override;
 
   private:
+    BodyState
+    state() const;
+
     std::unique_ptr<elasticity::StaticsSolver>               solver;
     std::unique_ptr<electrophysiology::PrescribedActivation> muscle;
     std::unique_ptr<diagnostics::BodyKinematics>             kinematics;
     std::unique_ptr<BodyFields>                              fields;
     std::unique_ptr<BodyProbes>                              probes;
     std::vector<std::pair<std::string, LineProfile>>         sides;
+    std::vector<double>                                      rest; ///< velocity
     elasticity::StaticsSolver::Result                        result;
   };
 } // namespace ephyra::simulation
