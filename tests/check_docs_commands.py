@@ -4,8 +4,8 @@
 Commands are the lines of blocks fenced as ```sh. What is cheap is run with the
 binary named by EPHYRA_BINARY (default build/ephyra-binary): --validate of every
 parameter file with the --set values of the command, --parameters, each case of
-a sweep. Of the rest, programs, options, files and presets must exist. A command
-of an unknown kind is an error: teach this script what it is. Links between the
+a sweep, both ends of a calibration. Of the rest, programs, options, files and
+presets must exist. A command of an unknown kind is an error: teach this script what it is. Links between the
 documents must lead somewhere, too.
 """
 
@@ -22,6 +22,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BINARY = os.environ.get("EPHYRA_BINARY", str(ROOT / "build" / "ephyra-binary"))
 sys.path.insert(0, str(ROOT / "postprocess"))
+import calibrate
 import study
 import sweep
 
@@ -105,6 +106,15 @@ def check_sweep(arguments):
         list(pool.map(lambda command: call_binary(*command), commands_of_cases))
 
 
+def check_calibrate(arguments):
+    options = calibrate.parse_arguments(["--binary", BINARY, *arguments])
+    options.file = str(ROOT / options.file)
+    one = calibrate.Calibration(options)
+    sets = [word for text in options.set for word in ("--set", text)]
+    for x in one.bracket.first_ends:
+        call_binary("--validate", options.file, *sets, "--set", f"{one.entry} = {one.text(x)}")
+
+
 def check_plot(arguments):
     script = "plot_table.py" if arguments and arguments[0].endswith(".csv") else "plot_run.py"
     source = (ROOT / "postprocess" / script).read_text(encoding="utf-8")
@@ -125,6 +135,8 @@ def check_launcher(arguments):
         call_binary("--parameters=markdown" if "--markdown" in arguments else "--parameters")
     elif command == "sweep":
         check_sweep(arguments)
+    elif command == "calibrate":
+        check_calibrate(arguments)
     elif command == "plot":
         check_plot(arguments)
     elif command in ("--help", "help", "build", "test", "bench"):

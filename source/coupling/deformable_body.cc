@@ -128,6 +128,7 @@ namespace ephyra::coupling
                measures.momentum / measures.mass);
     kinematics.evaluate(solver.displacement(), record);
     record.add("volume [m^3]", measures.volume);
+    record.add("volume change [-]", measures.volume_change);
     record.add("smallest J [-]", measures.smallest_J);
     record.add("largest J [-]", measures.largest_J);
     record.add("elastic energy [J]", measures.elastic_energy);

@@ -13,6 +13,10 @@ namespace ephyra::diagnostics
     : patch(patch)
     , outer(n_samples + 1)
     , rest_radius(0.)
+    , inner_rest_radius(
+        position(std::array<double, 2>{{1., 0.}},
+                 std::vector<double>(2 * patch.n_control_points(), 0.))
+          .r)
   {
     const std::vector<double> rest(2 * patch.n_control_points(), 0.);
     for (int k = 0; k <= n_samples; ++k)
@@ -73,5 +77,8 @@ namespace ephyra::diagnostics
     record.add("margin y [m]", margin.y);
     record.add("drop of margin diameter [-]", 1. - margin.r / rest_radius);
     record.add("drop of widest diameter [-]", 1. - widest / rest_radius);
+    if (inner_rest_radius > 1e-9 * rest_radius)
+      record.add("drop of inner margin diameter [-]",
+                 1. - inner.r / inner_rest_radius);
   }
 } // namespace ephyra::diagnostics

@@ -149,7 +149,7 @@ namespace ephyra::elasticity
                                const std::vector<double> &v,
                                const std::vector<double> &gamma) const
   {
-    double volume = 0., energy = 0.;
+    double rest = 0., change = 0., energy = 0.;
     double smallest = std::numeric_limits<double>::max(), largest = -smallest;
     for (int e = first_element; e < first_element + n_own_elements; ++e)
       for (int q = 0; q < tables.n_q(); ++q)
@@ -159,7 +159,8 @@ namespace ephyra::elasticity
             gamma[e / tables.ne2 * tables.nq1 + q / tables.nq2];
           const AxisymmetricTensor F = deformation_gradient(u, e, q);
           const double             J = determinant(F);
-          volume += J * tables.volume[k];
+          rest += tables.volume[k];
+          change += (J - 1.) * tables.volume[k];
           energy +=
             tables.volume[k] *
             evaluate(prm.material,
@@ -182,7 +183,10 @@ namespace ephyra::elasticity
         out.momentum += lumped_mass[a] * v[2 * a + 1];
       }
     out.centre_of_mass = centre_of_mass(u);
-    out.volume         = mpi::sum(volume, comm);
+    rest               = mpi::sum(rest, comm);
+    change             = mpi::sum(change, comm);
+    out.volume         = rest + change;
+    out.volume_change  = change / rest;
     out.elastic_energy = mpi::sum(energy, comm);
     out.smallest_J     = mpi::min(smallest, comm);
     out.largest_J      = mpi::max(largest, comm);

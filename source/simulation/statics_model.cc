@@ -58,6 +58,7 @@ namespace ephyra::simulation
     const auto  measures = solver->measures();
     kinematics->evaluate(u, record);
     record.add("volume [m^3]", measures.volume);
+    record.add("volume change [-]", measures.volume_change);
     record.add("smallest J [-]", measures.smallest_J);
     record.add("largest J [-]", measures.largest_J);
     record.add("elastic energy [J]", measures.elastic_energy);

@@ -3,6 +3,9 @@
 A run says that it took 2 s and 3 s of processor time; a slow one, 1.5 s and
 2.5 s before its checkpoint.
 
+"square [-]" is (Cells - 3)^2 and "jump [-]" the sign of Cells - 3. Beyond
+Model/Most cells a run diverges.
+
 Model/Behaviour: `good`, `diverges`, `bad input`, or `slow`, which waits for
 SIGUSR1, leaves a checkpoint and is done when resumed."""
 
@@ -12,7 +15,7 @@ import sys
 import time
 
 arguments = sys.argv[1:]
-values = {"Model/Behaviour": "good", "Model/Cells": "1"}
+values = {"Model/Behaviour": "good", "Model/Cells": "1", "Model/Most cells": "inf"}
 folder = None
 resumed = False
 while arguments:
@@ -29,7 +32,8 @@ with open(folder / "calls.txt", "a") as file:
     file.write("resumed\n" if resumed else "started\n")
 
 behaviour = values["Model/Behaviour"]
-if behaviour == "diverges":
+cells = float(values["Model/Cells"])
+if behaviour == "diverges" or cells > float(values["Model/Most cells"]):
     print("The step did not converge.")
     sys.exit(2)
 if behaviour == "bad input":
@@ -44,7 +48,8 @@ if behaviour == "slow" and not resumed:
     sys.exit(3)
 
 time.sleep(0.01)
-h = 1 / float(values["Model/Cells"])
+h = 1 / cells
 (folder / "result.csv").write_text(
-    "wall time [s],cpu time [s],drag [N],constant [1],error of speed [m/s],name\n"
-    f"2,3,{3 + 5 * h**2},1,{0.1 * h**3},text\n")
+    "wall time [s],cpu time [s],drag [N],constant [1],error of speed [m/s],name,square [-],"
+    "jump [-]\n"
+    f"2,3,{3 + 5 * h**2},1,{0.1 * h**3},text,{(cells - 3)**2},{1 if cells > 3 else -1}\n")

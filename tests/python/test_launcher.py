@@ -154,8 +154,8 @@ class Launcher(unittest.TestCase):
         self.assertIn("unknown command 'swim'", screen)
         help_text = subprocess.run(self.command("--help"), env=self.environment,
                                    capture_output=True, text=True, check=True).stdout
-        for word in ("run", "test", "build", "validate", "parameters", "sweep", "bench",
-                     "-n RANKS", "--set"):
+        for word in ("run", "test", "build", "validate", "parameters", "sweep",
+                     "calibrate", "bench", "-n RANKS", "--set"):
             self.assertIn(word, help_text)
 
     def interrupt(self, number, ranks):

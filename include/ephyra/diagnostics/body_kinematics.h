@@ -19,7 +19,9 @@ namespace ephyra::diagnostics
     /// Adds: margin radius r(1, 1), inner margin radius r(1, 0), widest radius
     /// (largest r of the outer surface), height (extent along y), apex y, and
     /// the drops of diameter 1 - r / (widest radius at rest) of margin and
-    /// widest section.
+    /// widest section, and 1 - r / (r at rest) of the inner margin where that
+    /// is off the axis. In the results of a run, the largest drop of the margin
+    /// is 1 - min r(1, 1) / a_ex over the time, for a bell.
     void
     evaluate(const std::vector<double> &displacement, Record &record) const;
 
@@ -31,7 +33,7 @@ namespace ephyra::diagnostics
   private:
     const splines::NurbsPatch<2>         patch;
     std::vector<splines::BasisValues<2>> outer; ///< at the samples
-    double                               rest_radius;
+    double                               rest_radius, inner_rest_radius;
 
     splines::Point
     position(const splines::BasisValues<2> &basis,

@@ -12,6 +12,7 @@ namespace ephyra::elasticity
   {
     double mass;           ///< kg
     double volume;         ///< m^3, deformed
+    double volume_change;  ///< relative to the volume at rest
     double centre_of_mass; ///< axial position, m
     double momentum;       ///< axial, kg m/s
     double elastic_energy; ///< J
