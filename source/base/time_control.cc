@@ -158,13 +158,13 @@ namespace ephyra
   TimeControl::cut_step(const std::string &reason)
   {
     const double failed = step_size();
-    EphyraThrowIf(
-      failed / 2 < smallest_step() * (1 - step_round_off),
-      DivergedError,
-      "Step " << steps + 1 << " at time " << time()
-              << " s failed with a time step of " << failed
-              << " s, and half of it is below the Smallest time step ("
-              << smallest_step() << " s): " << reason);
+    EphyraThrowIf(failed / 2 < smallest_step() * (1 - step_round_off),
+                  DivergedError,
+                  "Step " << steps + 1 << " at time " << time()
+                          << " s failed with a time step of " << failed
+                          << " s, and half of it is below the "
+                          << parameters.name_of_smallest << " ("
+                          << smallest_step() << " s): " << reason);
     length         = failed / 2;
     n_until_growth = steps_after_cut;
     ++cuts;

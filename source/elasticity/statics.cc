@@ -96,6 +96,18 @@ namespace ephyra::elasticity
     smallest_step = prm.get_double("Smallest load step");
   }
 
+  TimeControl::Parameters
+  StaticsSolver::Parameters::load_steps() const
+  {
+    TimeControl::Parameters steps;
+    steps.end_time           = end_time;
+    steps.time_step          = end_time / n_steps;
+    steps.smallest_time_step = std::min(smallest_step, 1. / n_steps) * end_time;
+    steps.growth             = 1.5;
+    steps.name_of_smallest   = "Smallest load step";
+    return steps;
+  }
+
   StaticsSolver::StaticsSolver(const Parameters             &parameters,
                                const splines::NurbsPatch<2> &patch,
                                const MPI_Comm                comm)
@@ -155,60 +167,95 @@ namespace ephyra::elasticity
       op.get_constraints().apply(u);
   }
 
+  NewtonStatus
+  StaticsSolver::advance(const double next, const Activation &activation)
+  {
+    StaticProblem problem(op);
+    set_level(next, activation);
+    predict(next, the_level, older_level, problem);
+    NewtonStatus status = newton.solve(problem, u);
+    if (!status.success && the_level > older_level)
+      {
+        // The extrapolation may be what failed.
+        predict(next, the_level, the_level, problem);
+        status = newton.solve(problem, u);
+      }
+    if (!status.success)
+      {
+        std::ostringstream reason;
+        reason << "no equilibrium at " << 100. * next << " % of the load ("
+               << status.reason << "), the last level that converged is "
+               << 100. * the_level << " %; lower the load, refine the mesh or "
+               << "allow smaller load steps.";
+        status.reason = reason.str();
+        u             = u_old;
+        set_level(the_level, activation);
+        return status;
+      }
+    mpi::broadcast(u.data(), u.size(), op.communicator());
+    u_older.swap(u_old);
+    u_old       = u;
+    older_level = the_level;
+    the_level   = next;
+    return status;
+  }
+
   StaticsSolver::Result
   StaticsSolver::run(const Activation &activation, const Observer &observer)
   {
-    Result        result;
-    StaticProblem problem(op);
-    double        level = 0., older_level = 0.;
-    const double  full_step = 1. / prm.n_steps;
-    double        step      = full_step;
-    while (level < 1.)
+    Result      result;
+    TimeControl control(prm.load_steps());
+    while (!control.finished())
       {
-        double next = level + step;
-        if (next > 1. - 1e-9)
-          next = 1.;
-        set_level(next, activation);
-        predict(next, level, older_level, problem);
-        result.last = newton.solve(problem, u);
-        if (!result.last.success && level > older_level)
-          {
-            // The extrapolation may be what failed.
-            predict(next, level, level, problem);
-            result.last = newton.solve(problem, u);
-          }
+        const double next =
+          (control.time() + control.step_size()) / prm.end_time;
+        result.last = advance(next > 1. - 1e-9 ? 1. : next, activation);
         result.iterations += result.last.iterations;
         result.residual = result.last.residual;
         if (result.last.success)
           {
-            mpi::broadcast(u.data(), u.size(), op.communicator());
-            u_older.swap(u_old);
-            u_old       = u;
-            older_level = level;
-            level       = next;
-            ++result.steps;
-            step = std::min(full_step, 1.5 * step);
+            control.accept_step();
             if (observer)
-              observer(level);
+              observer(the_level);
             continue;
           }
-        step *= 0.5;
-        ++result.cut_backs;
-        if (step < prm.smallest_step)
+        try
           {
-            std::ostringstream reason;
-            reason << "Statics stopped at " << 100. * level
-                   << " % of the load, the last level that converged ("
-                   << result.last.reason << "); lower the load, refine the "
-                   << "mesh or allow smaller load steps.";
+            control.cut_step(result.last.reason);
+          }
+        catch (const DivergedError &error)
+          {
             result.success = false;
-            result.reason  = reason.str();
-            u              = u_old;
-            set_level(level, activation);
+            result.reason  = error.what();
             break;
           }
       }
-    result.level = level;
+    result.level     = the_level;
+    result.steps     = static_cast<int>(control.n_steps());
+    result.cut_backs = static_cast<int>(control.n_cuts());
     return result;
+  }
+
+  void
+  StaticsSolver::forget()
+  {
+    newton.forget();
+  }
+
+  void
+  StaticsSolver::serialize(Archive &archive)
+  {
+    const Archive::Group group(archive, "statics");
+    std::vector<double>  gamma = op.activation();
+    archive.value("level", the_level);
+    archive.value("older_level", older_level);
+    archive.values("displacement", u_old);
+    archive.values("older_displacement", u_older);
+    archive.values("activation", gamma);
+    if (!archive.reading())
+      return;
+    u = u_old;
+    op.set_time(the_level * prm.end_time, prm.ramp ? the_level : 1.);
+    op.set_activation(gamma);
   }
 } // namespace ephyra::elasticity

@@ -238,7 +238,7 @@ namespace ephyra::simulation
         equilibrium.newton = mechanics.newton;
         equilibrium.parse(prm);
         if (statics)
-          time.end_time = time.time_step = equilibrium.end_time;
+          time = equilibrium.load_steps();
       }
     if (flow)
       {

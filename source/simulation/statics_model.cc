@@ -5,6 +5,7 @@
 namespace ephyra::simulation
 {
   StaticsModel::StaticsModel(const Scene &scene, const MPI_Comm comm)
+    : end_time(scene.equilibrium.end_time)
   {
     const geometry::BodyPatch shape = geometry::create_body(scene.body);
     solver = std::make_unique<elasticity::StaticsSolver>(
@@ -33,22 +34,27 @@ namespace ephyra::simulation
   }
 
   StepStatus
-  StaticsModel::advance(const double, const double)
+  StaticsModel::advance(const double t, const double dt)
   {
     elasticity::StaticsSolver::Activation activation;
     if (muscle)
-      activation = [this](const double t, std::vector<double> &gamma) {
-        muscle->evaluate(solver->body().activation_points(), t, gamma);
+      activation = [this](const double time, std::vector<double> &gamma) {
+        muscle->evaluate(solver->body().activation_points(), time, gamma);
       };
-    result = solver->run(activation);
-    return result;
+    const double level = (t + dt) / end_time;
+    return solver->advance(level > 1. - 1e-9 ? 1. : level, activation);
   }
 
   void
   StaticsModel::serialize(Archive &archive)
   {
-    std::vector<double> u = solver->displacement();
-    archive.values("displacement", u);
+    solver->serialize(archive);
+  }
+
+  void
+  StaticsModel::forget()
+  {
+    solver->forget();
   }
 
   void
@@ -92,8 +98,6 @@ namespace ephyra::simulation
   StaticsModel::add_results(Record &record) const
   {
     record.add("body unknowns [-]", solver->body().n_unknowns());
-    record.add("load level [-]", result.level);
-    record.add("load steps [-]", result.steps);
-    record.add("cut-backs [-]", result.cut_backs);
+    record.add("load level [-]", solver->level());
   }
 } // namespace ephyra::simulation

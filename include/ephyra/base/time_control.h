@@ -32,6 +32,8 @@ namespace ephyra
       double       growth     = 1.2;       ///< of the length, from step to step
       bool         adaptive   = false;     ///< as long as the solvers allow
       double       cfl_number = 0; ///< largest; 0: what suits the time scheme
+      /// The entry of smallest_time_step, for messages.
+      std::string name_of_smallest = "Smallest time step";
 
       /// Of the subsection that is open.
       static void

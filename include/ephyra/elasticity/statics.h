@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ephyra/base/archive.h"
+#include "ephyra/base/time_control.h"
 #include "ephyra/elasticity/elasticity_operator.h"
 #include "ephyra/elasticity/newton.h"
 
@@ -30,6 +32,9 @@ namespace ephyra::elasticity
       declare(ParameterHandler &prm);
       void
       parse(ParameterHandler &prm);
+      /// Times of the load steps, level * end_time, and how they are cut.
+      TimeControl::Parameters
+      load_steps() const;
     };
 
     /// How a run ended; not successful: `level` is the last converged one,
@@ -53,8 +58,25 @@ namespace ephyra::elasticity
                   const splines::NurbsPatch<2> &patch,
                   MPI_Comm                      comm);
 
+    /// All load steps, to the full load or where they end.
     Result
     run(const Activation &activation = {}, const Observer &observer = {});
+    /// One load step from the last converged level to @p level, at most 1.
+    /// Where it fails, that level and its equilibrium remain.
+    NewtonStatus
+    advance(double level, const Activation &activation = {});
+    /// The last converged level.
+    double
+    level() const
+    {
+      return the_level;
+    }
+    /// Drops what only speeds up the next load step.
+    void
+    forget();
+    /// The last converged level and what the next one is extrapolated from.
+    void
+    serialize(Archive &archive);
 
     const std::vector<double> &
     displacement() const
@@ -95,5 +117,6 @@ namespace ephyra::elasticity
     ElasticityOperator  op;
     Newton              newton;
     std::vector<double> u, u_old, u_older;
+    double              the_level = 0., older_level = 0.;
   };
 } // namespace ephyra::elasticity

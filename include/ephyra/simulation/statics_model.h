@@ -9,8 +9,8 @@
 
 namespace ephyra::simulation
 {
-  /// Equilibrium of a body: one "step" from no load to the full load, by load
-  /// steps with cut-backs of their own.
+  /// Equilibrium of a body from no load to the full load: a step of the run is
+  /// a load step, its time the load level times the end time.
   class StaticsModel : public Model
   {
   public:
@@ -30,11 +30,14 @@ namespace ephyra::simulation
     write_fields(double time, RunOutput &output) override;
     void
     add_results(Record &record) const override;
+    void
+    forget() override;
 
   private:
     BodyState
     state() const;
 
+    double end_time; ///< of the full load, s
     std::unique_ptr<elasticity::StaticsSolver>               solver;
     std::unique_ptr<electrophysiology::PrescribedActivation> muscle;
     std::unique_ptr<diagnostics::BodyKinematics>             kinematics;
@@ -42,6 +45,5 @@ namespace ephyra::simulation
     std::unique_ptr<BodyProbes>                              probes;
     std::vector<std::pair<std::string, LineProfile>>         sides;
     std::vector<double>                                      rest; ///< velocity
-    elasticity::StaticsSolver::Result                        result;
   };
 } // namespace ephyra::simulation
