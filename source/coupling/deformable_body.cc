@@ -49,8 +49,6 @@ namespace ephyra::coupling
   void
   DeformableBody::accept()
   {
-    if (source)
-      muscle_work += solver.muscle_work();
     solver.accept();
     solver.synchronize(comm);
   }
@@ -114,7 +112,6 @@ namespace ephyra::coupling
   DeformableBody::serialize(Archive &archive)
   {
     solver.serialize(archive);
-    archive.value("muscle work", muscle_work);
     if (source)
       source->serialize(archive);
   }
@@ -131,13 +128,11 @@ namespace ephyra::coupling
     record.add("volume change [-]", measures.volume_change);
     record.add("smallest J [-]", measures.smallest_J);
     record.add("largest J [-]", measures.largest_J);
-    record.add("elastic energy [J]", measures.elastic_energy);
-    record.add("kinetic energy of body [J]", measures.kinetic_energy);
+    elasticity::EnergyAccounts::Parts parts = solver.energy_parts();
+    parts.muscle                            = source != nullptr;
+    solver.energy().evaluate(measures, parts, record);
     if (source)
-      {
-        record.add("muscle work [J]", muscle_work);
-        source->evaluate(record);
-      }
+      source->evaluate(record);
     record.add("Newton iterations [-]", newton_iterations);
   }
 } // namespace ephyra::coupling

@@ -2,6 +2,8 @@
 // evaluated on a body, rather than what its equations are assembled from.
 #include "ephyra/elasticity/body_measures.h"
 
+#include "element_kernel.h"
+
 #include "ephyra/base/mpi.h"
 #include "ephyra/elasticity/elasticity_operator.h"
 
@@ -42,48 +44,31 @@ namespace ephyra::elasticity
             F[4] * G[4]};
   }
 
-  AxisymmetricTensor
-  ElasticityOperator::deformation_gradient(const std::vector<double> &u,
-                                           const int                  e,
-                                           const int                  q) const
+  void
+  ElasticityOperator::evaluate_positions(const std::vector<double> &x,
+                                         const int                  e) const
   {
-    const int     n = tables.n_local(), n2 = tables.n2;
-    const int     line1 = e / tables.ne2 * tables.nq1 + q / tables.nq2;
-    const double *N1    = &tables.basis1[2 * tables.n1 * line1];
-    const double *N2 =
-      &tables.basis2[(2 * (e % tables.ne2) * tables.nq2 + q % tables.nq2) * n2];
-    const double *dN2     = N2 + tables.nq2 * n2;
-    double        x[2][3] = {};
-    for (int a = 0; a < n; ++a)
-      {
-        const std::size_t k  = static_cast<std::size_t>(e) * n + a;
-        const int         a1 = a / n2, a2 = a % n2;
-        const double      N[3] = {
-               N1[a1] * N2[a2], N1[tables.n1 + a1] * N2[a2], N1[a1] * dN2[a2]};
-        for (int i = 0; i < 2; ++i)
-          {
-            const int    unknown = 2 * tables.points[k] + i;
-            const double c =
-              tables.weights[k] * (reference[unknown] + u[unknown]);
-            for (int s = 0; s < 3; ++s)
-              x[i][s] += c * N[s];
-          }
-      }
-    const double *T =
-      &tables.transform[static_cast<std::size_t>(e) * PatchTables::n_transform *
-                          tables.n_q() +
-                        q];
-    const auto row = [&](const int J, const int i) {
+    gather(x, e);
+    internal::with_width(tables.n2, [&](const auto width) {
+      internal::evaluate_values<width>(tables, e, *work);
+    });
+  }
+
+  AxisymmetricTensor
+  ElasticityOperator::deformation_gradient(const int e, const int q) const
+  {
+    const int     nq  = tables.n_q();
+    const double *x   = &work->values[q];
+    const double *T   = &tables.transform[static_cast<std::size_t>(e) *
+                                          PatchTables::n_transform * nq +
+                                        q];
+    const auto    row = [&](const int J, const int i) {
       double sum = 0.;
       for (int s = 0; s < 3; ++s)
-        sum += T[(3 * J + s) * tables.n_q()] * x[i][s];
+        sum += T[(3 * J + s) * nq] * x[(3 * i + s) * nq];
       return sum;
     };
-    return {row(0, 0),
-            row(1, 0),
-            row(0, 1),
-            row(1, 1),
-            T[6 * tables.n_q()] * x[0][0]};
+    return {row(0, 0), row(1, 0), row(0, 1), row(1, 1), T[6 * nq] * x[0]};
   }
 
   std::vector<double>
@@ -151,26 +136,33 @@ namespace ephyra::elasticity
   {
     double rest = 0., change = 0., energy = 0.;
     double smallest = std::numeric_limits<double>::max(), largest = -smallest;
+    std::vector<double> x(u);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] += reference[i];
     for (int e = first_element; e < first_element + n_own_elements; ++e)
-      for (int q = 0; q < tables.n_q(); ++q)
-        {
-          const std::size_t k = static_cast<std::size_t>(e) * tables.n_q() + q;
-          const double      here =
-            gamma[e / tables.ne2 * tables.nq1 + q / tables.nq2];
-          const AxisymmetricTensor F = deformation_gradient(u, e, q);
-          const double             J = determinant(F);
-          rest += tables.volume[k];
-          change += (J - 1.) * tables.volume[k];
-          energy +=
-            tables.volume[k] *
-            evaluate(prm.material,
-                     elastic_part(F,
-                                  active_strain.deformation(tables.frames[k],
-                                                            here * pattern[k])))
-              .energy;
-          smallest = std::min(smallest, J);
-          largest  = std::max(largest, J);
-        }
+      {
+        evaluate_positions(x, e);
+        for (int q = 0; q < tables.n_q(); ++q)
+          {
+            const std::size_t k =
+              static_cast<std::size_t>(e) * tables.n_q() + q;
+            const double here =
+              gamma[e / tables.ne2 * tables.nq1 + q / tables.nq2];
+            const AxisymmetricTensor F = deformation_gradient(e, q);
+            const double             J = determinant(F);
+            rest += tables.volume[k];
+            change += (J - 1.) * tables.volume[k];
+            energy +=
+              tables.volume[k] *
+              evaluate(prm.material,
+                       elastic_part(F,
+                                    active_strain.deformation(
+                                      tables.frames[k], here * pattern[k])))
+                .energy;
+            smallest = std::min(smallest, J);
+            largest  = std::max(largest, J);
+          }
+      }
 
     BodyMeasures        out{};
     std::vector<double> momentum(v.size(), 0.);
@@ -203,50 +195,56 @@ namespace ephyra::elasticity
       return 0.;
     std::vector<double> middle(u_old.size());
     for (std::size_t i = 0; i < middle.size(); ++i)
-      middle[i] = 0.5 * (u_old[i] + u_new[i]);
+      middle[i] = reference[i] + 0.5 * (u_old[i] + u_new[i]);
     double total = 0.;
     for (int e = first_element; e < first_element + n_own_elements; ++e)
-      for (int q = 0; q < tables.n_q(); ++q)
-        {
-          const std::size_t k = static_cast<std::size_t>(e) * tables.n_q() + q;
-          const int         line = e / tables.ne2 * tables.nq1 + q / tables.nq2;
-          if (gamma_old[line] == gamma_new[line])
-            continue;
-          const auto active = [&](const double activation) {
-            return active_strain.deformation(tables.frames[k],
-                                             activation * pattern[k]);
-          };
-          const AxisymmetricTensor old_active = active(gamma_old[line]);
-          const AxisymmetricTensor new_active = active(gamma_new[line]);
-          const AxisymmetricTensor mid =
-            active(0.5 * (gamma_old[line] + gamma_new[line]));
-          const AxisymmetricTensor F =
-            elastic_part(deformation_gradient(middle, e, q), mid);
-          const AxisymmetricTensor P = evaluate(prm.material, F).stress;
-          AxisymmetricTensor       d;
-          for (int i = 0; i < 5; ++i)
-            d[i] = new_active[i] - old_active[i];
-          if (prm.material.small_strain)
-            {
-              for (int i = 0; i < 5; ++i)
-                total -= tables.volume[k] * P[i] * d[i];
+      {
+        evaluate_positions(middle, e);
+        for (int q = 0; q < tables.n_q(); ++q)
+          {
+            const std::size_t k =
+              static_cast<std::size_t>(e) * tables.n_q() + q;
+            const int line = e / tables.ne2 * tables.nq1 + q / tables.nq2;
+            // Below this the pattern is the far tail of a layer.
+            if (gamma_old[line] == gamma_new[line] ||
+                std::abs(pattern[k]) < 1e-15)
               continue;
-            }
-          // F_e^T P_e and dF_a F_a^-1
-          const AxisymmetricTensor M{F[0] * P[0] + F[2] * P[2],
-                                     F[0] * P[1] + F[2] * P[3],
-                                     F[1] * P[0] + F[3] * P[2],
-                                     F[1] * P[1] + F[3] * P[3],
-                                     F[4] * P[4]};
-          const AxisymmetricTensor G = inverse(mid);
-          const AxisymmetricTensor rate{d[0] * G[0] + d[1] * G[2],
-                                        d[0] * G[1] + d[1] * G[3],
-                                        d[2] * G[0] + d[3] * G[2],
-                                        d[2] * G[1] + d[3] * G[3],
-                                        d[4] * G[4]};
-          for (int i = 0; i < 5; ++i)
-            total -= tables.volume[k] * M[i] * rate[i];
-        }
+            const auto active = [&](const double activation) {
+              return active_strain.deformation(tables.frames[k],
+                                               activation * pattern[k]);
+            };
+            const AxisymmetricTensor old_active = active(gamma_old[line]);
+            const AxisymmetricTensor new_active = active(gamma_new[line]);
+            const AxisymmetricTensor mid =
+              active(0.5 * (gamma_old[line] + gamma_new[line]));
+            const AxisymmetricTensor F =
+              elastic_part(deformation_gradient(e, q), mid);
+            const AxisymmetricTensor P = evaluate(prm.material, F).stress;
+            AxisymmetricTensor       d;
+            for (int i = 0; i < 5; ++i)
+              d[i] = new_active[i] - old_active[i];
+            if (prm.material.small_strain)
+              {
+                for (int i = 0; i < 5; ++i)
+                  total -= tables.volume[k] * P[i] * d[i];
+                continue;
+              }
+            // F_e^T P_e and dF_a F_a^-1
+            const AxisymmetricTensor M{F[0] * P[0] + F[2] * P[2],
+                                       F[0] * P[1] + F[2] * P[3],
+                                       F[1] * P[0] + F[3] * P[2],
+                                       F[1] * P[1] + F[3] * P[3],
+                                       F[4] * P[4]};
+            const AxisymmetricTensor G = inverse(mid);
+            const AxisymmetricTensor rate{d[0] * G[0] + d[1] * G[2],
+                                          d[0] * G[1] + d[1] * G[3],
+                                          d[2] * G[0] + d[3] * G[2],
+                                          d[2] * G[1] + d[3] * G[3],
+                                          d[4] * G[4]};
+            for (int i = 0; i < 5; ++i)
+              total -= tables.volume[k] * M[i] * rate[i];
+          }
+      }
     return mpi::sum(total, comm);
   }
 

@@ -175,10 +175,13 @@ namespace ephyra::elasticity
         fixed.interpolation = interpolation(curve);
         for (const double s : greville)
           fixed.position.push_back(curve.point({s}));
-        for (const int point : fixed.points)
-          for (int i = 0; i < 2; ++i)
-            if (condition.fixed[i])
-              target[2 * point + i] = -1;
+        for (int i = 0; i < 2; ++i)
+          if (condition.fixed[i])
+            {
+              moving = moving || !condition.displacement[i].is_zero();
+              for (const int point : fixed.points)
+                target[2 * point + i] = -1;
+            }
         fixed_sides.push_back(std::move(fixed));
       }
 
@@ -278,6 +281,16 @@ namespace ephyra::elasticity
             force[target[i]] += force[i];
           force[i] = 0.;
         }
+  }
+
+  std::vector<double>
+  Constraints::fixed_part(const std::vector<double> &force) const
+  {
+    std::vector<double> part(force.size(), 0.);
+    for (std::size_t i = 0; i < target.size(); ++i)
+      if (target[i] == -1)
+        part[i] = force[i];
+    return part;
   }
 
   void

@@ -276,7 +276,7 @@ namespace ephyra::elasticity
   }
 
   void
-  ElasticityOperator::gather(const std::vector<double> &x, const int e)
+  ElasticityOperator::gather(const std::vector<double> &x, const int e) const
   {
     const int     n = tables.n_local();
     const int    *a = &tables.points[static_cast<std::size_t>(e) * n];
@@ -368,29 +368,14 @@ namespace ephyra::elasticity
     std::vector<double> &scale = sums;
     residual.assign(n, 0.);
     scale.assign(n, 0.);
-    const auto run = [&](const int e) {
-      switch (tables.n2)
-        {
-        case 2:
-          return element<2>(e, matrix, stiffness_factor, mass_factor);
-        case 3:
-          return element<3>(e, matrix, stiffness_factor, mass_factor);
-        case 4:
-          return element<4>(e, matrix, stiffness_factor, mass_factor);
-        case 5:
-          return element<5>(e, matrix, stiffness_factor, mass_factor);
-        case 6:
-          return element<6>(e, matrix, stiffness_factor, mass_factor);
-        default:
-          return element<7>(e, matrix, stiffness_factor, mass_factor);
-        }
-    };
-
     double smallest = std::numeric_limits<double>::max();
     for (int e = first_element; e < first_element + n_own_elements; ++e)
       {
         gather(position, e);
-        const bool valid = run(e);
+        const bool valid =
+          internal::with_width(tables.n2, [&](const auto width) {
+            return element<width>(e, matrix, stiffness_factor, mass_factor);
+          });
         if (!prm.material.small_strain &&
             !(work->smallest_J >= smallest)) // NaN counts as smallest
           smallest = work->smallest_J;

@@ -12,15 +12,6 @@
 
 namespace ephyra::elasticity
 {
-  GeneralizedAlpha::GeneralizedAlpha(const double rho_infinity)
-  {
-    alpha_m          = (2. - rho_infinity) / (1. + rho_infinity);
-    alpha_f          = 1. / (1. + rho_infinity);
-    const double sum = 1. - alpha_f + alpha_m;
-    beta             = 0.25 * sum * sum;
-    gamma            = 0.5 - alpha_f + alpha_m;
-  }
-
   void
   ElasticitySolver::Parameters::declare(ParameterHandler &prm)
   {
@@ -165,6 +156,8 @@ namespace ephyra::elasticity
           square_load += force * force;
         }
       out.scale += std::sqrt(square_inertia) + std::sqrt(square_load);
+      if (s.op->get_constraints().moves())
+        s.reaction = s.op->get_constraints().fixed_part(residual);
       s.op->get_constraints().condense(residual);
       return out;
     }
@@ -181,6 +174,7 @@ namespace ephyra::elasticity
     : prm(parameters)
     , alpha(parameters.rho_infinity)
     , op(std::make_unique<ElasticityOperator>(parameters.body, patch, comm))
+    , step_work(alpha)
   {
     const std::vector<double> zero(op->n_unknowns(), 0.);
     level = {zero, zero, zero, zero, op->activation()};
@@ -230,6 +224,8 @@ namespace ephyra::elasticity
                   InputError,
                   "The initial displacement folds the body (determinant "
                     << evaluation.smallest_J << "); start from another one.");
+    const std::vector<double> start_reaction =
+      op->get_constraints().fixed_part(residual);
     op->get_constraints().condense(residual);
     auto mass_pattern = op->sparsity_pattern();
     mass_pattern.compress();
@@ -250,6 +246,11 @@ namespace ephyra::elasticity
     next     = level;
     started  = true;
     repeated = false;
+
+    const BodyMeasures measures = this->measures();
+    accounts                    = EnergyAccounts();
+    accounts.start = measures.elastic_energy + measures.kinetic_energy;
+    step_work.start(start_reaction);
   }
 
   void
@@ -327,41 +328,13 @@ namespace ephyra::elasticity
     next.a = x;
     newmark(dt);
     problem.interface_force(next.a, next.f);
-    repeated = status.success;
+    repeated     = status.success;
+    counted      = false;
+    at_new_level = load.at_new_level;
     if (!status.success)
       status.reason =
         "elasticity at t = " + std::to_string(t + dt) + " s: " + status.reason;
     return status;
-  }
-
-  void
-  ElasticitySolver::accept()
-  {
-    level    = next;
-    repeated = false;
-  }
-
-  double
-  ElasticitySolver::load_work()
-  {
-    std::vector<double> middle(next.u);
-    for (std::size_t i = 0; i < middle.size(); ++i)
-      middle[i] = 0.5 * (level.u[i] + next.u[i]);
-    op->set_time(last_t + 0.5 * last_dt);
-    const std::vector<double> force = op->external_force(middle);
-    double                    work  = 0.;
-    for (std::size_t i = 0; i < force.size(); ++i)
-      work += force[i] * (next.u[i] - level.u[i]);
-    return work;
-  }
-
-  double
-  ElasticitySolver::interface_work() const
-  {
-    double work = 0.;
-    for (std::size_t i = 0; i < next.f.size(); ++i)
-      work += 0.5 * (level.f[i] + next.f[i]) * (next.u[i] - level.u[i]);
-    return work;
   }
 
   void
@@ -403,6 +376,9 @@ namespace ephyra::elasticity
         next     = level;
         started  = true;
         repeated = false;
+        counted  = true;
       }
+    accounts.serialize(archive);
+    step_work.serialize(archive);
   }
 } // namespace ephyra::elasticity

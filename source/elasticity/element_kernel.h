@@ -5,6 +5,7 @@
 #include "ephyra/elasticity/patch_tables.h"
 
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace ephyra::elasticity::internal
@@ -34,6 +35,29 @@ namespace ephyra::elasticity::internal
     std::vector<double> matrix;       ///< row-major in 2 a + component
     double              smallest_J = 0.; ///< over the Gauss points
   };
+
+  /// Calls f with the number of functions n2 of an element across as a
+  /// constant, f(std::integral_constant<int, n2>()).
+  template <typename Function>
+  auto
+  with_width(const int n2, const Function &f)
+  {
+    switch (n2)
+      {
+      case 2:
+        return f(std::integral_constant<int, 2>());
+      case 3:
+        return f(std::integral_constant<int, 3>());
+      case 4:
+        return f(std::integral_constant<int, 4>());
+      case 5:
+        return f(std::integral_constant<int, 5>());
+      case 6:
+        return f(std::integral_constant<int, 6>());
+      default:
+        return f(std::integral_constant<int, 7>());
+      }
+  }
 
   /// Sums of the polynomial basis and its derivatives at the Gauss points:
   /// values[i][s][q] = sum_a coefficients[i][a] (N_a, N_a,1, N_a,2).

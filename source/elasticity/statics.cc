@@ -120,6 +120,9 @@ namespace ephyra::elasticity
     , u(op.n_unknowns(), 0.)
     , u_old(u)
     , u_older(u)
+    , load(u)
+    , reaction(u)
+    , old_gamma(op.activation())
   {
     EphyraThrowIf(!op.get_constraints().holds_axial_position(),
                   InputError,
@@ -167,6 +170,42 @@ namespace ephyra::elasticity
       op.get_constraints().apply(u);
   }
 
+  EnergyAccounts::Parts
+  StaticsSolver::energy_parts() const
+  {
+    EnergyAccounts::Parts parts;
+    parts.loads      = op.loaded();
+    parts.prescribed = op.get_constraints().moves();
+    parts.muscle     = op.has_muscle();
+    return parts;
+  }
+
+  void
+  StaticsSolver::count_work()
+  {
+    const EnergyAccounts::Parts parts = energy_parts();
+    // Replaces the forces at the old level by those at the new one.
+    const auto work = [this](std::vector<double>       &old_force,
+                             const std::vector<double> &force) {
+      double sum = 0.;
+      for (std::size_t i = 0; i < u.size(); ++i)
+        sum += 0.5 * (old_force[i] + force[i]) * (u[i] - u_old[i]);
+      old_force = force;
+      return sum;
+    };
+    accounts.muscle += op.muscle_work(u_old, old_gamma, u, op.activation());
+    old_gamma = op.activation();
+    if (parts.loads)
+      accounts.loads += work(load, op.external_force(u));
+    if (parts.prescribed)
+      {
+        std::vector<double> residual;
+        op.residual(u, residual);
+        accounts.prescribed +=
+          work(reaction, op.get_constraints().fixed_part(residual));
+      }
+  }
+
   NewtonStatus
   StaticsSolver::advance(const double next, const Activation &activation)
   {
@@ -193,6 +232,7 @@ namespace ephyra::elasticity
         return status;
       }
     mpi::broadcast(u.data(), u.size(), op.communicator());
+    count_work();
     u_older.swap(u_old);
     u_old       = u;
     older_level = the_level;
@@ -246,16 +286,18 @@ namespace ephyra::elasticity
   StaticsSolver::serialize(Archive &archive)
   {
     const Archive::Group group(archive, "statics");
-    std::vector<double>  gamma = op.activation();
     archive.value("level", the_level);
     archive.value("older_level", older_level);
     archive.values("displacement", u_old);
     archive.values("older_displacement", u_older);
-    archive.values("activation", gamma);
+    archive.values("activation", old_gamma);
+    archive.values("load", load);
+    archive.values("reaction", reaction);
+    accounts.serialize(archive);
     if (!archive.reading())
       return;
     u = u_old;
     op.set_time(the_level * prm.end_time, prm.ramp ? the_level : 1.);
-    op.set_activation(gamma);
+    op.set_activation(old_gamma);
   }
 } // namespace ephyra::elasticity

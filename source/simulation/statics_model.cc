@@ -67,7 +67,9 @@ namespace ephyra::simulation
     record.add("volume change [-]", measures.volume_change);
     record.add("smallest J [-]", measures.smallest_J);
     record.add("largest J [-]", measures.largest_J);
-    record.add("elastic energy [J]", measures.elastic_energy);
+    elasticity::EnergyAccounts::Parts parts = solver->energy_parts();
+    parts.muscle                            = muscle != nullptr;
+    solver->energy().evaluate(measures, parts, record);
   }
 
   void

@@ -108,8 +108,7 @@ namespace ephyra::coupling
     elasticity::ElasticitySolver      solver;
     std::unique_ptr<ActivationSource> source;
     diagnostics::BodyKinematics       kinematics;
-    std::vector<double>               reference;       ///< positions, m
-    double                            muscle_work = 0; ///< J, since the start
+    std::vector<double>               reference; ///< positions, m
     int                               newton_iterations = 0;
   };
 } // namespace ephyra::coupling

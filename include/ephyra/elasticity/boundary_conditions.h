@@ -91,6 +91,16 @@ namespace ephyra::elasticity
     bool
     holds_axial_position() const;
 
+    /// Whether a prescribed displacement differs from zero.
+    bool
+    moves() const
+    {
+      return moving;
+    }
+    /// A vector of forces with zeros where the unknown is not fixed.
+    std::vector<double>
+    fixed_part(const std::vector<double> &force) const;
+
     /// Values of the fixed unknowns (m) at time t, times @p factor, by
     /// interpolation at the Greville points of each side. Throws InputError
     /// where two sides contradict each other at a common point.
@@ -125,5 +135,6 @@ namespace ephyra::elasticity
     std::vector<double>          value;   ///< of fixed unknowns
     std::vector<bool>            on_axis; ///< control points
     double                       size;    ///< of the patch, m
+    bool                         moving = false;
   };
 } // namespace ephyra::elasticity

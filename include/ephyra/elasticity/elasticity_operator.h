@@ -145,6 +145,17 @@ namespace ephyra::elasticity
       return unit_force_norm;
     }
 
+    /// Whether there are pressures, tractions or body forces.
+    bool
+    loaded() const
+    {
+      return !side_loads.empty() || !body_force_values.empty();
+    }
+    bool
+    has_muscle() const
+    {
+      return active_strain.active();
+    }
     /// Forces of the pressures, tractions and body forces at the displacement
     /// u and at the time that was set last, N.
     std::vector<double>
@@ -191,16 +202,20 @@ namespace ephyra::elasticity
              linear_algebra::SparseMatrix *matrix,
              double                        stiffness_factor,
              double                        mass_factor);
+    /// Weighted positions of the points of an element into the work memory.
     void
-    gather(const std::vector<double> &u, int element);
+    gather(const std::vector<double> &x, int element) const;
     template <int n2>
     bool
     element(int                           e,
             linear_algebra::SparseMatrix *matrix,
             double                        stiffness_factor,
             double                        mass_factor);
+    /// Makes deformation_gradient(e, q) that of the positions x.
+    void
+    evaluate_positions(const std::vector<double> &x, int e) const;
     AxisymmetricTensor
-    deformation_gradient(const std::vector<double> &u, int e, int q) const;
+    deformation_gradient(int e, int q) const;
     AxisymmetricTensor
     elastic_part(const AxisymmetricTensor &F,
                  const AxisymmetricTensor &active) const;

@@ -2,7 +2,9 @@
 
 #include "ephyra/base/archive.h"
 #include "ephyra/elasticity/elasticity_operator.h"
+#include "ephyra/elasticity/energy_accounts.h"
 #include "ephyra/elasticity/newton.h"
+#include "ephyra/elasticity/step_work.h"
 
 #include <Eigen/SparseCore>
 
@@ -26,17 +28,6 @@ namespace ephyra::elasticity
     /// depends strongly on the new motion must: weighted, it alternates in sign
     /// from step to step and grows. First order in time.
     bool at_new_level = false;
-  };
-
-  /// Coefficients of the generalised-alpha method for a spectral radius
-  /// rho_infinity in [0, 1] of high frequencies (Chung & Hulbert 1993,
-  /// 10.1115/1.2900803), eq. (63) of Nitti et al. 2023: u^alpha = alpha_f
-  /// u^{n+1} + (1 - alpha_f) u^n and the same for a with alpha_m. 1/2 gives
-  /// alpha_m = 1, alpha_f = 2/3, beta = 4/9, gamma = 5/6.
-  struct GeneralizedAlpha
-  {
-    explicit GeneralizedAlpha(double rho_infinity);
-    double alpha_m, alpha_f, beta, gamma;
   };
 
   /// Motion of a body by the generalised-alpha method, eqs. (59)-(65) of Nitti
@@ -92,7 +83,8 @@ namespace ephyra::elasticity
     /// failure, level n+1 is of no use.
     NewtonStatus
     advance(double t, double dt, const InterfaceLoad &load = {});
-    /// Makes level n+1 the new level n.
+    /// Makes level n+1 the new level n and adds the work of the step to the
+    /// accounts; collective.
     void
     accept();
 
@@ -158,6 +150,15 @@ namespace ephyra::elasticity
     {
       return op->muscle_work(level.u, level.gamma, next.u, next.gamma);
     }
+    /// Since the start, at the accepted level.
+    const EnergyAccounts &
+    energy() const
+    {
+      return accounts;
+    }
+    /// The parts of the accounts that the body has.
+    EnergyAccounts::Parts
+    energy_parts() const;
     ElasticityOperator &
     body()
     {
@@ -200,6 +201,8 @@ namespace ephyra::elasticity
     newmark(double dt);
     void
     make_newton();
+    void
+    count_work();
 
     Parameters                          prm;
     GeneralizedAlpha                    alpha;
@@ -212,5 +215,10 @@ namespace ephyra::elasticity
     double                              last_dt  = 0.;
     bool                                started  = false;
     bool                                repeated = false;
+    EnergyAccounts                      accounts;
+    StepWork                            step_work;
+    std::vector<double>                 reaction;             ///< at t^alpha, N
+    bool                                at_new_level = false; ///< last load
+    bool                                counted      = true;  ///< last step
   };
 } // namespace ephyra::elasticity

@@ -3,6 +3,7 @@
 #include "ephyra/base/archive.h"
 #include "ephyra/base/time_control.h"
 #include "ephyra/elasticity/elasticity_operator.h"
+#include "ephyra/elasticity/energy_accounts.h"
 #include "ephyra/elasticity/newton.h"
 
 #include <functional>
@@ -93,6 +94,15 @@ namespace ephyra::elasticity
     {
       return op.measures(u, std::vector<double>(u.size(), 0.), op.activation());
     }
+    /// From the unloaded body to the last converged level: trapezoidal rule
+    /// over the load steps.
+    const EnergyAccounts &
+    energy() const
+    {
+      return accounts;
+    }
+    EnergyAccounts::Parts
+    energy_parts() const;
     ElasticityOperator &
     body()
     {
@@ -112,11 +122,16 @@ namespace ephyra::elasticity
             double            old_level,
             double            older_level,
             NonlinearProblem &problem);
+    void
+    count_work();
 
     Parameters          prm;
     ElasticityOperator  op;
     Newton              newton;
     std::vector<double> u, u_old, u_older;
     double              the_level = 0., older_level = 0.;
+    EnergyAccounts      accounts;
+    /// At the last converged level: loads and reactions (N), activation.
+    std::vector<double> load, reaction, old_gamma;
   };
 } // namespace ephyra::elasticity
