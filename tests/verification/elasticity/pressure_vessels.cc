@@ -1,9 +1,9 @@
 // Tubes and spheres under pressure: formulas of Lamé for small strain, and
 // solutions for finite strain that were computed with another program.
 #include "elasticity_patches.h"
+#include "field_errors.h"
 
 #include "ephyra/elasticity/statics.h"
-#include "ephyra/splines/patch_quadrature.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -56,65 +56,50 @@ namespace
     return x;
   }
 
-  /// Error of a displacement in L2 of the body, relative.
-  double
-  l2_error(const splines::NurbsPatch<2>                        &patch,
-           const std::vector<double>                           &u,
-           const std::function<splines::Point(splines::Point)> &exact)
-  {
-    const int                         n = patch.degree(0) + 4;
-    const splines::PatchQuadrature<2> quadrature(patch, {{n, n}});
-    double                            error = 0., norm = 0.;
-    for (int e = 0; e < quadrature.n_elements(); ++e)
-      for (int q = 0; q < quadrature.n_points(); ++q)
-        {
-          const auto           theta = quadrature.theta(e, q);
-          const splines::Point x     = patch.point(theta);
-          const auto           g     = patch.tangents(theta);
-          const double         w     = quadrature.weight(e, q) * x.r *
-                           std::abs(g[0].r * g[1].y - g[0].y * g[1].r);
-          const splines::Point computed = value(patch, u, theta[0], theta[1]);
-          const splines::Point wanted   = exact(x);
-          error += w * (std::pow(computed.r - wanted.r, 2) +
-                        std::pow(computed.y - wanted.y, 2));
-          norm += w * (wanted.r * wanted.r + wanted.y * wanted.y);
-        }
-    return std::sqrt(error / norm);
-  }
-
   // Appendix A.2 of Nitti et al. 2023: E = 100 MPa, nu = 0.3, p = 0.1 MPa.
   const double E = 1e8, nu = 0.3, p = 1e5, Ri = 0.5, Ro = 1.;
 
-  splines::Point
+  /// u_r = A r + B/r.
+  test::FieldValue
   lame_tube(const splines::Point &x)
   {
-    return {p * Ri * Ri * (1. + nu) * (Ro * Ro + x.r * x.r * (1. - 2. * nu)) /
-              (E * (Ro * Ro - Ri * Ri) * x.r),
-            0.};
+    const double f = p * Ri * Ri * (1. + nu) / (E * (Ro * Ro - Ri * Ri));
+    const double A = f * (1. - 2. * nu), B = f * Ro * Ro;
+    const double h = A + B / (x.r * x.r);
+    return {{h * x.r, 0.}, {{A - B / (x.r * x.r), 0., 0., 0., h}}};
   }
 
-  splines::Point
+  /// u_R = A R + B/R^2.
+  test::FieldValue
   lame_sphere(const splines::Point &x)
   {
-    const double R = std::hypot(x.r, x.y), d = Ro * Ro * Ro - Ri * Ri * Ri;
-    const double u =
-      -p * Ro * Ro * Ro * (1. - 2. * nu) * R / (E * d) -
-      p * Ri * Ri * Ri * Ro * Ro * Ro * (1. + nu) / (2. * E * d * R * R);
-    return {u * x.r / R, u * x.y / R};
+    const double f = -p * Ro * Ro * Ro / (E * (Ro * Ro * Ro - Ri * Ri * Ri));
+    const double A = f * (1. - 2. * nu), B = f * Ri * Ri * Ri * (1. + nu) / 2.;
+    const double R = std::hypot(x.r, x.y), h = A + B / (R * R * R);
+    const double n[2] = {x.r / R, x.y / R};
+    const auto   H    = [&](const int i, const int j) {
+      return (i == j ? h : 0.) - 3. * B / (R * R * R) * n[i] * n[j];
+    };
+    return {{h * x.r, h * x.y}, {{H(0, 0), H(0, 1), H(1, 0), H(1, 1), h}}};
   }
 
-  /// Errors on meshes of n, 2n elements and the order between them.
+  /// Errors on meshes of n, 2n elements and the orders between them.
   void
-  check_order(const std::function<double(int)> &error,
-              const int                         n,
-              const int                         degree,
-              const std::string                &what)
+  check_orders(const std::function<test::FieldErrors(int)> &errors,
+               const int                                    n,
+               const int                                    degree,
+               const std::string                           &what)
   {
-    const double coarse = error(n), fine = error(2 * n);
-    const double order = std::log2(coarse / fine);
-    BOOST_TEST_MESSAGE(what << ", degree " << degree << ": L2 errors " << coarse
-                            << ", " << fine << ", order " << order);
+    const auto   coarse = errors(n), fine = errors(2 * n);
+    const double order  = std::log2(coarse.l2 / fine.l2);
+    const double energy = std::log2(coarse.energy / fine.energy);
+    BOOST_TEST_MESSAGE(what << ", degree " << degree << ", " << n << " and "
+                            << 2 * n << " elements: L2 errors " << coarse.l2
+                            << ", " << fine.l2 << ", order " << order
+                            << "; energy " << coarse.energy << ", "
+                            << fine.energy << ", order " << energy);
     BOOST_TEST(order > degree + 0.85);
+    BOOST_TEST(energy > degree - 0.15);
   }
 } // namespace
 
@@ -123,7 +108,7 @@ BOOST_AUTO_TEST_SUITE(pressure_vessels)
 BOOST_AUTO_TEST_CASE(thick_tube_small_strain)
 {
   for (int degree = 2; degree <= 4; ++degree)
-    check_order(
+    check_orders(
       [&](const int n) {
         StaticsSolver::Parameters prm;
         prm.body.material              = Material::from_young(E, nu);
@@ -142,7 +127,8 @@ BOOST_AUTO_TEST_CASE(thick_tube_small_strain)
                            expected[k],
                          boost::test_tools::tolerance(1e-6));
           }
-        return l2_error(patch, solver.displacement(), lame_tube);
+        return test::field_errors(
+          patch, solver.displacement(), lame_tube, prm.body.material);
       },
       degree == 2 ? 4 : 16,
       degree,
@@ -152,7 +138,7 @@ BOOST_AUTO_TEST_CASE(thick_tube_small_strain)
 BOOST_AUTO_TEST_CASE(hollow_sphere_small_strain)
 {
   for (int degree = 2; degree <= 4; ++degree)
-    check_order(
+    check_orders(
       [&](const int n) {
         StaticsSolver::Parameters prm;
         prm.body.material                  = Material::from_young(E, nu);
@@ -177,11 +163,47 @@ BOOST_AUTO_TEST_CASE(hollow_sphere_small_strain)
                            boost::test_tools::tolerance(1e-5));
               }
           }
-        return l2_error(patch, solver.displacement(), lame_sphere);
+        return test::field_errors(
+          patch, solver.displacement(), lame_sphere, prm.body.material);
       },
       degree == 2 ? 4 : 16,
       degree,
       "hollow sphere");
+}
+
+BOOST_AUTO_TEST_CASE(offset_of_finite_strain)
+{
+  // The full load of appendix A.2 at finite strain, follower and dead: relative
+  // difference to the formulas of small strain. It vanishes with the load.
+  const auto patch  = test::tube(Ri, Ro, 1., 4, {1, 8});
+  const auto offset = [&](const double load, const bool follower) {
+    StaticsSolver::Parameters prm;
+    prm.body.material    = Material::from_young(E, nu);
+    prm.newton.tolerance = 1e-13;
+    hold_ends(prm);
+    side(prm, Side::theta2_0).pressure = formula(load * p);
+    side(prm, Side::theta2_0).follower = follower;
+    StaticsSolver solver(prm, patch, MPI_COMM_WORLD);
+    BOOST_TEST(solver.run().success);
+    std::array<double, 2> result;
+    for (int k = 0; k < 2; ++k)
+      result[k] = 100. * (value(patch, solver.displacement(), 0.5, k).r /
+                            (load * lame_tube({k == 0 ? Ri : Ro, 0.}).u.r) -
+                          1.);
+    BOOST_TEST_MESSAGE("offset of finite strain, load "
+                       << load << (follower ? ", follower" : ", dead") << ": "
+                       << result[0] << " % inside, " << result[1]
+                       << " % outside");
+    return result;
+  };
+  const auto full = offset(1., true), tenth = offset(0.1, true);
+  offset(1., false);
+  const double expected[] = {0.28, 0.33};
+  for (int k = 0; k < 2; ++k)
+    {
+      BOOST_TEST(std::abs(full[k] - expected[k]) < 0.005);
+      BOOST_TEST(tenth[k] == 0.1 * full[k], boost::test_tools::tolerance(0.02));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(inflated_tube_finite_strain)
