@@ -101,6 +101,83 @@ namespace
     BOOST_TEST(order > degree + 0.85);
     BOOST_TEST(energy > degree - 0.15);
   }
+
+  /// A plane-strain tube .5 < R < .8 m with a known result.
+  struct Tube
+  {
+    std::string               name;
+    StaticsSolver::Parameters prm;
+    double                    inner, outer;  ///< final radii, m
+    bool                      displacements; ///< are compared, or the radii
+  };
+
+  Tube
+  inflated(const Material &material,
+           const double    pressure,
+           const bool      follower,
+           const double    inner,
+           const double    outer)
+  {
+    Tube tube{follower ? "inflated tube, follower" : "inflated tube, dead load",
+              {},
+              .5 + inner,
+              .8 + outer,
+              true};
+    tube.prm.body.material = material;
+    auto &condition        = side(tube.prm, Side::theta2_0);
+    condition.pressure     = formula(pressure);
+    condition.follower     = follower;
+    return tube;
+  }
+
+  /// Hoop 1 - g and radial 1/(1 - g) in the whole wall, free surfaces.
+  Tube
+  active(const Material &material,
+         const double    g,
+         const double    inner,
+         const double    outer)
+  {
+    Tube tube{"active tube", {}, inner, outer, false};
+    tube.prm.body.material           = material;
+    tube.prm.body.active_strain.form = ActiveStrain::Form::unit_directors;
+    tube.prm.body.active_strain.a3   = g;
+    tube.prm.body.active_strain.pattern.emplace(
+      "1", std::vector<std::string>{"theta1", "theta2"});
+    return tube;
+  }
+
+  /// Final radii of both surfaces, m.
+  std::array<double, 2>
+  radii(Tube tube, const int degree, const int n)
+  {
+    tube.prm.newton.tolerance = 1e-11;
+    tube.prm.n_steps          = 4;
+    hold_ends(tube.prm);
+    const auto    patch = test::tube(.5, .8, .1, degree, {1, n});
+    StaticsSolver solver(tube.prm, patch, MPI_COMM_WORLD);
+    const auto    result = solver.run([](double, std::vector<double> &gamma) {
+      gamma.assign(gamma.size(), 1.);
+    });
+    BOOST_TEST(result.success, result.reason);
+    return {{.5 + value(patch, solver.displacement(), .5, 0.).r,
+             .8 + value(patch, solver.displacement(), .5, 1.).r}};
+  }
+
+  /// Largest relative error of the displacements or radii.
+  double
+  error_of(const Tube &tube, const std::array<double, 2> &found)
+  {
+    const double inner = tube.inner - (tube.displacements ? .5 : 0.);
+    const double outer = tube.outer - (tube.displacements ? .8 : 0.);
+    return std::max(std::abs(found[0] - tube.inner) / inner,
+                    std::abs(found[1] - tube.outer) / outer);
+  }
+
+  double
+  largest_error(const Tube &tube, const int degree, const int n)
+  {
+    return error_of(tube, radii(tube, degree, n));
+  }
 } // namespace
 
 BOOST_AUTO_TEST_SUITE(pressure_vessels)
@@ -208,71 +285,81 @@ BOOST_AUTO_TEST_CASE(offset_of_finite_strain)
 
 BOOST_AUTO_TEST_CASE(inflated_tube_finite_strain)
 {
-  struct Case
-  {
-    Material material;
-    double   pressure;
-    bool     follower;
-    double   inner, outer;
-  };
-  const Case cases[] = {
-    {{.5, 1000., false}, .2, true, .113615663, .075533786},
-    {{.5, 1000., false}, .2, false, .090508816, .059493237},
-    {{400., 5e4, false}, 100., true, .061943516, .040287704}};
-  for (const Case &c : cases)
-    {
-      StaticsSolver::Parameters prm;
-      prm.body.material    = c.material;
-      prm.newton.tolerance = 1e-11;
-      prm.n_steps          = 2;
-      hold_ends(prm);
-      auto &inner         = side(prm, Side::theta2_0);
-      inner.pressure      = formula(c.pressure);
-      inner.follower      = c.follower;
-      const auto    patch = test::tube(.5, .8, .1, 4, {1, 16});
-      StaticsSolver solver(prm, patch, MPI_COMM_WORLD);
-      BOOST_TEST(solver.run().success);
-      BOOST_TEST(value(patch, solver.displacement(), .5, 0.).r == c.inner,
-                 boost::test_tools::tolerance(1e-6));
-      BOOST_TEST(value(patch, solver.displacement(), .5, 1.).r == c.outer,
-                 boost::test_tools::tolerance(1e-6));
-    }
+  const Material stiff{.5, 1000., false}, soft{400., 5e4, false};
+  for (const Tube &tube : {inflated(stiff, .2, true, .113615663, .075533786),
+                           inflated(stiff, .2, false, .090508816, .059493237),
+                           inflated(soft, 100., true, .061943516, .040287704)})
+    BOOST_TEST(largest_error(tube, 4, 16) < 1e-6);
 }
 
 BOOST_AUTO_TEST_CASE(active_tube)
 {
-  // Hoop 1 - g and radial 1/(1 - g) in the whole wall, free surfaces.
-  struct Case
-  {
-    Material material;
-    double   g, a, b, tolerance;
+  const Material soft{400., 5e4, false}, stiff{400., 4e8, false};
+  for (const Tube &tube : {active(soft, .1, .422546728, .754018360),
+                           // incompressible limit, approached as 1/K
+                           active(stiff, .1, .422551595, .754022447),
+                           active(stiff, .2, .345088370, .713502616)})
+    BOOST_TEST(largest_error(tube, 4, 16) < 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(tubes_refined)
+{
+  // 1e-6 with each degree; the reference has nine digits.
+  const Material stiff{.5, 1000., false}, soft{400., 5e4, false};
+  for (const Tube &tube : {inflated(stiff, .2, true, .113615663, .075533786),
+                           inflated(stiff, .2, false, .090508816, .059493237),
+                           active(soft, .1, .422546728, .754018360)})
+    for (int degree = 2; degree <= 4; ++degree)
+      {
+        std::ostringstream errors;
+        double             error = 1.;
+        for (int n = 2; n <= 32; n *= 2)
+          {
+            const double before = error;
+            error               = largest_error(tube, degree, n);
+            errors << ' ' << error;
+            BOOST_TEST((error < 0.3 * before || error < 2e-8));
+          }
+        BOOST_TEST_MESSAGE(tube.name << ", degree " << degree
+                                     << ", relative errors with 2, 4, ... 32 "
+                                        "elements:"
+                                     << errors.str());
+        BOOST_TEST(error < 1e-6);
+      }
+}
+
+BOOST_AUTO_TEST_CASE(incompressible_tube)
+{
+  // The limit of p = 0.4 c10 and of the active tube is approached as 1/K.
+  const auto inflation = [](const double K) {
+    return inflated({.5, .5 * K, false}, .2, true, .113578217, .075487423);
   };
-  const Case cases[] = {{{400., 5e4, false}, .1, .422546728, .754018360, 1e-6},
-                        // incompressible limit, approached as 1/K
-                        {{400., 4e8, false}, .1, .422551595, .754022447, 1e-6},
-                        {{400., 4e8, false}, .2, .345088370, .713502616, 1e-6}};
-  for (const Case &c : cases)
-    {
-      StaticsSolver::Parameters prm;
-      prm.body.material           = c.material;
-      prm.body.active_strain.form = ActiveStrain::Form::unit_directors;
-      prm.body.active_strain.a3   = c.g;
-      prm.body.active_strain.pattern.emplace(
-        "1", std::vector<std::string>{"theta1", "theta2"});
-      prm.newton.tolerance = 1e-11;
-      prm.n_steps          = 4;
-      hold_ends(prm);
-      const auto    patch = test::tube(.5, .8, .1, 4, {1, 16});
-      StaticsSolver solver(prm, patch, MPI_COMM_WORLD);
-      const auto    result = solver.run([](double, std::vector<double> &gamma) {
-        gamma.assign(gamma.size(), 1.);
-      });
-      BOOST_TEST(result.success, result.reason);
-      BOOST_TEST(.5 + value(patch, solver.displacement(), .5, 0.).r == c.a,
-                 boost::test_tools::tolerance(c.tolerance));
-      BOOST_TEST(.8 + value(patch, solver.displacement(), .5, 1.).r == c.b,
-                 boost::test_tools::tolerance(c.tolerance));
-    }
+  const auto contraction = [](const double K) {
+    return active({400., 400. * K, false}, .1, .422551595, .754022447);
+  };
+  const auto check = [](const std::function<Tube(double)> &tube,
+                        const double                       softest) {
+    std::array<double, 2> before{}, found{}, limit{};
+    for (double K = softest; K < 200. * softest; K *= 10.)
+      {
+        before = found;
+        found  = radii(tube(K), 4, 16);
+        BOOST_TEST_MESSAGE(tube(K).name
+                           << ", K/c10 " << K
+                           << ": relative distance to the incompressible one "
+                           << error_of(tube(K), found));
+        if (K > softest)
+          BOOST_TEST(error_of(tube(K), before) / error_of(tube(K), found) ==
+                       10.,
+                     boost::test_tools::tolerance(0.02));
+      }
+    for (int k = 0; k < 2; ++k)
+      limit[k] = (10. * found[k] - before[k]) / 9.;
+    BOOST_TEST_MESSAGE("extrapolated: " << error_of(tube(softest), limit));
+    BOOST_TEST(error_of(tube(softest), limit) < 1e-7);
+  };
+  check(inflation, 1e3);
+  check(contraction, 1e2);
 }
 
 BOOST_AUTO_TEST_CASE(uniaxial_tension_of_a_rod)
