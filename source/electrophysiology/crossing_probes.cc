@@ -1,7 +1,5 @@
 #include "ephyra/electrophysiology/crossing_probes.h"
 
-#include <string>
-
 namespace ephyra::electrophysiology
 {
   int
@@ -38,7 +36,24 @@ namespace ephyra::electrophysiology
   void
   CrossingProbes::serialize(Archive &archive)
   {
+    if (probes.empty())
+      return;
+    std::vector<double> numbers, times;
+    for (const Probe &probe : probes)
+      {
+        numbers.push_back(static_cast<double>(probe.times.size()));
+        times.insert(times.end(), probe.times.begin(), probe.times.end());
+      }
+    archive.values("numbers of crossings", numbers);
+    archive.values("crossing times", times);
+    if (!archive.reading())
+      return;
+    auto begin = times.begin();
     for (std::size_t i = 0; i < probes.size(); ++i)
-      archive.values("crossing times " + std::to_string(i), probes[i].times);
+      {
+        const auto end = begin + static_cast<std::ptrdiff_t>(numbers[i]);
+        probes[i].times.assign(begin, end);
+        begin = end;
+      }
   }
 } // namespace ephyra::electrophysiology

@@ -1,5 +1,6 @@
 #include "ephyra/electrophysiology/diffusion_stepper.h"
 
+#include "ephyra/base/exceptions.h"
 #include "ephyra/base/mpi.h"
 
 #include <algorithm>
@@ -23,6 +24,11 @@ namespace ephyra::electrophysiology
     , part_v(monodomain.n_unknowns())
     , part_increment(monodomain.n_unknowns())
   {
+    EphyraThrowIf(monodomain.closed() &&
+                    (start.holds_potential || end.holds_potential),
+                  InputError,
+                  "The line of the tissue is closed and has no end whose "
+                  "potential could be held; set Type = no flux at both ends.");
     if (linear_solver == LinearSolver::narrow_band)
       return;
     using linear_algebra::SparseMatrix;
@@ -96,6 +102,13 @@ namespace ephyra::electrophysiology
                                  : mass(i, j) + 0.5 * dt * kappa * stiffness(i, j);
         }
     factorize();
+    if (monodomain.closed())
+      {
+        seam.assign(n, 0.);
+        seam[0]     = 1.;
+        seam[n - 1] = -1.;
+        solve_system(seam);
+      }
     factorized_dt = dt;
     start_held    = hold_start;
     end_held      = hold_end;
@@ -131,6 +144,14 @@ namespace ephyra::electrophysiology
           part_increment[n - 1] =
             end.held_potential(t + k * part) - part_v[n - 1];
         solve_system(part_increment);
+        if (monodomain.closed())
+          {
+            const double lambda = (part_increment[0] - part_increment[n - 1]) /
+                                  (seam[0] - seam[n - 1]);
+            for (int i = 0; i < n; ++i)
+              part_increment[i] -= lambda * seam[i];
+            part_increment[n - 1] = part_increment[0];
+          }
         for (int i = 0; i < n; ++i)
           {
             part_v[i] += part_increment[i];

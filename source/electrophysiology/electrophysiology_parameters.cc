@@ -118,6 +118,15 @@ namespace ephyra::electrophysiology
                                  : MonodomainOperator::Measure::reference;
     metric_tolerance         = prm.get_double("Metric tolerance");
     initial_potential        = prm.get("Initial potential");
+    if (!initial_potential.empty())
+      {
+        const patterns::Expression formula({"s"}, "V");
+        const std::string          problem = formula.error(initial_potential);
+        if (problem.empty())
+          initial_potential = formula.resolve(initial_potential, "");
+        else
+          prm.add_error("Initial potential", problem + ".");
+      }
     neuron.parse(prm);
     nagumo.parse(prm);
     synapses.parse(prm);

@@ -73,9 +73,15 @@ namespace ephyra::electrophysiology
   void
   ElectrophysiologySolver::initialize()
   {
-    const int    n       = monodomain.n_unknowns();
-    const int    n_state = n_points();
-    const double rest    = model ? model->rest_potential() : 0.;
+    const int n       = monodomain.n_unknowns();
+    const int n_state = n_points();
+    if (prm.measure == MonodomainOperator::Measure::deformed)
+      {
+        mass_factors.factorize(monodomain.consistent_mass(), "mass matrix");
+        stimulus_shape = stimulus_load;
+        mass_factors.solve(stimulus_shape.data());
+      }
+    const double rest = model ? model->rest_potential() : 0.;
     v.assign(n, rest);
     increment.assign(n, 0.);
     old_v.assign(n, 0.);
@@ -118,28 +124,68 @@ namespace ephyra::electrophysiology
     evaluate_load(load);
   }
 
-  void
+  bool
   ElectrophysiologySolver::set_deformed_metric(const std::vector<double> &G11,
                                                const std::vector<double> &r)
   {
-    if (monodomain.set_metric(G11, r, prm.metric_tolerance))
+    if (!monodomain.set_metric(G11, r, prm.metric_tolerance))
+      return false;
+    if (prm.measure == MonodomainOperator::Measure::deformed)
       {
-        diffusion.matrices_changed();
-        if (reaction)
-          reaction->metric_changed();
+        // The former reaction, in the new measure.
+        increment = previous_load;
+        mass_factors.solve(increment.data());
+        monodomain.consistent_mass().multiply(increment.data(),
+                                              previous_load.data());
+        evaluate_load(load);
       }
+    metric_changed();
+    return true;
+  }
+
+  void
+  ElectrophysiologySolver::metric_changed()
+  {
+    diffusion.matrices_changed();
+    if (reaction)
+      reaction->metric_changed();
+    if (prm.measure == MonodomainOperator::Measure::reference)
+      return;
+    mass_factors.factorize(monodomain.consistent_mass(), "mass matrix");
+    monodomain.consistent_mass().multiply(stimulus_shape.data(),
+                                          stimulus_load.data());
+  }
+
+  std::vector<double>
+  ElectrophysiologySolver::interpolate(
+    const std::function<double(double)> &function) const
+  {
+    std::vector<double> coefficients;
+    for (const double theta : monodomain.greville())
+      coefficients.push_back(function(theta));
+    linear_algebra::NarrowBandSolver collocation;
+    collocation.factorize(monodomain.collocation(),
+                          "matrix of the Greville points");
+    collocation.solve(coefficients.data());
+    return coefficients;
   }
 
   void
   ElectrophysiologySolver::set_potential(
     const std::function<double(double)> &potential)
   {
-    for (int i = 0; i < n_control_points(); ++i)
-      v[i] = potential(monodomain.greville()[i]);
-    linear_algebra::NarrowBandSolver collocation;
-    collocation.factorize(monodomain.collocation(),
-                          "matrix of the Greville points");
-    collocation.solve(v.data());
+    v = interpolate(potential);
+    if (monodomain.closed())
+      {
+        EphyraThrowIf(std::abs(v.back() - v.front()) >
+                        1e-6 * std::max(std::abs(v.front()), 1e-3),
+                      InputError,
+                      "The initial potential is "
+                        << v.front() << " V at theta^1 = 0 and " << v.back()
+                        << " V at 1, which are one point of the closed line; "
+                           "give a periodic one.");
+        v.back() = v.front();
+      }
     if (reaction)
       reaction->to_points(v.data(), points_v.data());
     evaluate_load(load);
@@ -331,31 +377,6 @@ namespace ephyra::electrophysiology
   // --- output ----------------------------------------------------------------
 
   void
-  ElectrophysiologySolver::gate(const int            k,
-                                std::vector<double> &coefficients) const
-  {
-    coefficients.resize(n_control_points());
-    reaction->to_coefficients(&gates[static_cast<std::size_t>(k) * n_points()],
-                              coefficients.data());
-  }
-
-  std::vector<double>
-  ElectrophysiologySolver::currents(const int point) const
-  {
-    std::vector<double> own_gates(model->n_gates());
-    for (int k = 0; k < model->n_gates(); ++k)
-      own_gates[k] = gates[static_cast<std::size_t>(k) * n_points() + point];
-    std::vector<double> values(model->current_names().size());
-    model->currents(points_v[point],
-                    own_gates.data(),
-                    synapses ? synapses->conductance()[point] : 0.,
-                    values.data());
-    for (double &value : values)
-      value *= prm.capacitance;
-    return values;
-  }
-
-  void
   ElectrophysiologySolver::activation(const double         t,
                                       std::vector<double> &coefficients) const
   {
@@ -435,8 +456,8 @@ namespace ephyra::electrophysiology
     archive.values("radius", r);
     if (archive.reading())
       {
-        if (monodomain.set_metric(G11, r, 0.) && reaction)
-          reaction->metric_changed();
+        if (monodomain.set_metric(G11, r, 0.))
+          metric_changed();
         if (reaction)
           reaction->to_points(v.data(), points_v.data());
       }

@@ -42,6 +42,10 @@ namespace ephyra::electrophysiology
     , collocation_matrix(n, curve.degree(0))
     , shifted(static_cast<std::size_t>(n_local) * n_elements)
   {
+    const splines::Point &begin = curve.control_points().front();
+    const splines::Point &end   = curve.control_points().back();
+    is_closed                   = begin.r > 0 &&
+                std::hypot(end.r - begin.r, end.y - begin.y) <= 1e-12 * begin.r;
     const splines::PatchQuadrature<1> quadrature(curve, {{n_per_element}});
     const std::size_t                 n_gauss = n_gauss_points();
     theta.resize(n_gauss);

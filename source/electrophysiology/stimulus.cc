@@ -53,8 +53,9 @@ namespace ephyra::electrophysiology
     frequency                        = prm.get_double("Pacing frequency");
     n_pulses                         = prm.get_integer("Number of pulses");
     const std::vector<double> limits = prm.get_double_list("Interval");
-    interval                         = {{limits[0], limits[1]}};
-    epsc_times                       = prm.get_double_list("EPSC times");
+    if (limits.size() == 2) // else it has been reported
+      interval = {{limits[0], limits[1]}};
+    epsc_times = prm.get_double_list("EPSC times");
     if (!(interval[0] < interval[1]))
       prm.add_error("Interval", "the first number must be the smaller one");
     if (frequency > 0 && duration * frequency > 1)

@@ -114,7 +114,9 @@ namespace ephyra::simulation
                         patterns::Double("V"),
                         "Potential whose upward crossing counts.");
       geometry::CurveParameters::declare(prm);
+      TissueMotion::Parameters::declare(prm);
     }
+    TissueSampling::declare(prm);
     electrophysiology::ElectrophysiologySolver::Parameters::declare(prm);
     electrophysiology::PrescribedActivation::Parameters::declare(prm);
     {
@@ -218,8 +220,11 @@ namespace ephyra::simulation
         crossing_points = prm.get_double_list("Crossing probes");
         crossing_level  = prm.get_double("Crossing level");
         tissue_line.parse(prm);
+        tissue_motion.parse(prm);
         refine(tissue_line.discretization.n_elements, refinement);
       }
+    if (electrophysiology && !elasticity)
+      tissue_sampling.parse(prm);
     if (electrophysiology)
       {
         tissue.parse(prm);

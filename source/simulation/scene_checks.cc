@@ -2,6 +2,7 @@
 
 #include "ephyra/base/exceptions.h"
 #include "ephyra/simulation/flow_checks.h"
+#include "ephyra/simulation/tissue_checks.h"
 #include "ephyra/simulation/window_checks.h"
 
 #include <algorithm>
@@ -258,6 +259,12 @@ namespace ephyra::simulation
       warn(scene.electrophysiology && !scene.elasticity,
            "Tissue",
            "it is for electrophysiology without a body");
+      if (!scene.electrophysiology || scene.elasticity)
+        for (const char *kind : {"Tissue probe", "Tissue line"})
+          for (const std::string &name : prm.instances(kind))
+            warn(false,
+                 std::string(kind) + " " + name,
+                 "it is for electrophysiology without a body");
       warn(scene.electrophysiology,
            "Electrophysiology",
            "electrophysiology is not in Scene/Physics");
@@ -289,6 +296,8 @@ namespace ephyra::simulation
     std::optional<Grid> grid;
     if (scene.flow)
       grid = make_grid(scene, prm);
+    if (scene.electrophysiology && !scene.elasticity)
+      check_tissue(scene, prm);
     if (scene.elasticity)
       check_body(scene, grid ? &*grid : nullptr, prm);
     if (grid)

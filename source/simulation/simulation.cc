@@ -20,8 +20,13 @@ namespace ephyra::simulation
     bool
     is_output(const std::string &section)
     {
-      for (const char *name :
-           {"Output", "Body probe ", "Body line ", "Flow probe ", "Flow line "})
+      // A Tissue line keeps times of arrival, which belong to the state.
+      for (const char *name : {"Output",
+                               "Body probe ",
+                               "Body line ",
+                               "Flow probe ",
+                               "Flow line ",
+                               "Tissue probe "})
         if (section.rfind(name, 0) == 0)
           return true;
       return false;

@@ -21,11 +21,19 @@ namespace ephyra::simulation
     solver =
       std::make_unique<ElectrophysiologySolver>(scene.tissue, *line, comm);
     profile = LineProfile(*line);
+    motion.emplace(scene.tissue_motion, *line, *solver);
     for (const double theta : scene.crossing_points)
       {
         crossing_probes.push_back(
           solver->add_crossing_probe(theta, scene.crossing_level));
         probe_points.push_back(theta);
+      }
+    probes.emplace(
+      scene.tissue_sampling, *line, *motion, scene.crossing_level, *solver);
+    if (motion->moves())
+      {
+        motion->metric(0., G11, radius);
+        solver->set_deformed_metric(G11, radius);
       }
     const std::string problem = solver->resolution_problem();
     if (!problem.empty())
@@ -37,6 +45,11 @@ namespace ephyra::simulation
   {
     const TimerTree::Scope scope(
       timer(), "electrophysiology", solver->n_control_points());
+    if (motion && motion->moves())
+      {
+        motion->metric(t + 0.5 * dt, G11, radius);
+        metric_updates += solver->set_deformed_metric(G11, radius) ? 1 : 0;
+      }
     const StepStatus status = solver->advance(t, dt);
     time                    = t + dt;
     return status;
@@ -46,6 +59,7 @@ namespace ephyra::simulation
   TissueModel::serialize(Archive &archive)
   {
     archive.value("time", time);
+    archive.value("metric updates", metric_updates);
     solver->serialize(archive);
   }
 
@@ -77,10 +91,18 @@ namespace ephyra::simulation
   }
 
   void
+  TissueModel::write_probes(const double time, RunOutput &output) const
+  {
+    if (probes)
+      probes->write_probes(time, output);
+  }
+
+  void
   TissueModel::write_profiles(const double time, RunOutput &output) const
   {
     if (!profile)
       return;
+    probes->write_lines(time, output);
     profile->write("potential", time, solver->potential(), 1, 0, output);
     std::vector<double> values;
     solver->activation(time, values);
@@ -105,6 +127,8 @@ namespace ephyra::simulation
   TissueModel::add_results(Record &record) const
   {
     record.add("nerve net unknowns [-]", solver->n_control_points());
+    if (motion && motion->moves())
+      record.add("metric updates [-]", static_cast<double>(metric_updates));
     for (std::size_t p = 0; p < crossing_probes.size(); ++p)
       {
         const auto &times = solver->crossing_times(crossing_probes[p]);

@@ -2,8 +2,9 @@
 
 namespace ephyra::splines
 {
+  template <int dim>
   std::vector<double>
-  control_vector(const NurbsPatch<2> &patch)
+  control_vector(const NurbsPatch<dim> &patch)
   {
     std::vector<double> x;
     x.reserve(2 * patch.control_points().size());
@@ -14,4 +15,9 @@ namespace ephyra::splines
       }
     return x;
   }
+
+  template std::vector<double>
+  control_vector(const NurbsPatch<1> &);
+  template std::vector<double>
+  control_vector(const NurbsPatch<2> &);
 } // namespace ephyra::splines

@@ -19,6 +19,10 @@ namespace ephyra::electrophysiology
   /// four backward Euler steps of half the size, which damp the jump and keep
   /// the order (Rannacher 1984, Numerische Mathematik 43, 309). They have the
   /// same matrix. Its factors are kept until step size, ends or metric change.
+  ///
+  /// On a closed line d_0 = d_{n-1} is a constraint with a multiplier, A d =
+  /// b - lambda (e_0 - e_{n-1}): the sum of the first and the last row is that
+  /// of the tied system.
   class DiffusionStepper
   {
   public:
@@ -29,7 +33,8 @@ namespace ephyra::electrophysiology
       amesos2      ///< distributed assembly (Tpetra), KLU2
     };
 
-    /// The operator is referred to, not copied.
+    /// The operator is referred to, not copied. Throws InputError where an end
+    /// of a closed line is to be held.
     DiffusionStepper(const MonodomainOperator            &monodomain,
                      const BoundaryCondition::Parameters &start,
                      const BoundaryCondition::Parameters &end,
@@ -75,6 +80,8 @@ namespace ephyra::electrophysiology
     std::unique_ptr<linear_algebra::SparseMatrix> sparse;
     std::unique_ptr<linear_algebra::DirectSolver> direct;
     std::vector<double>                           right_hand_side;
+    /// A^{-1} (e_0 - e_{n-1}) of a closed line.
+    std::vector<double> seam;
     double              factorized_dt = 0; ///< 0: none
     bool                start_held    = false;
     bool                end_held      = false;

@@ -111,8 +111,9 @@ namespace ephyra::electrophysiology
       return monodomain.gauss_theta();
     }
     /// Covariant metric G_11 (m^2) and radius (m) of the deformed line there;
-    /// until the first call those of the reference line.
-    void
+    /// until the first call those of the reference line. Returns whether the
+    /// change was beyond the metric tolerance and the matrices are new.
+    bool
     set_deformed_metric(const std::vector<double> &G11,
                         const std::vector<double> &r);
 
@@ -151,8 +152,17 @@ namespace ephyra::electrophysiology
     /// Gate k, control coefficients.
     void
     gate(int k, std::vector<double> &coefficients) const;
-    /// Ionic and synaptic currents at one state point, A/m^3 of capacitance
-    /// C_m, in the order of ionic_model()->current_names().
+    /// Synaptic conductance over capacitance, 1/s, control coefficients.
+    void
+    synapse(std::vector<double> &coefficients) const;
+    /// Ionic and synaptic currents for a potential (V), all gates and a
+    /// synaptic conductance over capacitance (1/s): A/m^3 of capacitance C_m,
+    /// outward positive, in the order of ionic_model()->current_names().
+    std::vector<double>
+    currents(double                     potential,
+             const std::vector<double> &gates,
+             double                     synapse) const;
+    /// The same of one state point.
     std::vector<double>
     currents(int point) const;
     int
@@ -176,7 +186,12 @@ namespace ephyra::electrophysiology
     {
       return muscle ? &*muscle : nullptr;
     }
-    /// Replaces the potential, e.g. by an exact solution in theta^1.
+    /// Control coefficients of the spline on the line that has the values of
+    /// a function of theta^1 at the Greville points.
+    std::vector<double>
+    interpolate(const std::function<double(double)> &function) const;
+    /// Replaces the potential, e.g. by an exact solution in theta^1. On a
+    /// closed line its values at 0 and 1 have to agree, else InputError.
     void
     set_potential(const std::function<double(double)> &potential);
 
@@ -201,6 +216,9 @@ namespace ephyra::electrophysiology
   private:
     void
     initialize();
+    /// What depends on the matrices of the operator.
+    void
+    metric_changed();
     void
     substep(double t, double dt);
     /// Increment of the potential for the given reaction load.
@@ -233,8 +251,13 @@ namespace ephyra::electrophysiology
     std::optional<Activation>   muscle;
     CrossingProbes              probes;
     std::vector<double>         stimulus_load;
-    std::vector<int>            stimulated_points;
-    bool                        may_rest = false;
+    /// Coefficients of the stimulated part, where its load has to follow a
+    /// deformed measure; else empty.
+    std::vector<double> stimulus_shape;
+    /// Factors of the consistent mass matrix, where the measure is deformed.
+    linear_algebra::NarrowBandSolver mass_factors;
+    std::vector<int>                 stimulated_points;
+    bool                             may_rest = false;
 
     // State.
     std::vector<double> v;             ///< control coefficients

@@ -67,6 +67,13 @@ namespace ephyra::electrophysiology
     {
       return greville_points;
     }
+    /// Whether the line ends where it begins: the first and the last unknown
+    /// are then one. The matrices do not know it; DiffusionStepper ties them.
+    bool
+    closed() const
+    {
+      return is_closed;
+    }
     /// Longest element of the reference line, m.
     double
     longest_element() const
@@ -138,6 +145,7 @@ namespace ephyra::electrophysiology
     std::vector<splines::NurbsPatch<1>> line; ///< none for an isolated cell
     Mass                                mass_kind     = Mass::consistent;
     Measure                             measure_kind  = Measure::reference;
+    bool                                is_closed     = false;
     int                                 n             = 1;
     int                                 n_elements    = 1;
     int                                 n_per_element = 1;

@@ -15,6 +15,8 @@
 #include "ephyra/simulation/flow_probes.h"
 #include "ephyra/simulation/flow_regions.h"
 #include "ephyra/simulation/run_output.h"
+#include "ephyra/simulation/tissue_motion.h"
+#include "ephyra/simulation/tissue_probes.h"
 #include "ephyra/simulation/tracers.h"
 
 #include <string>
@@ -56,6 +58,8 @@ namespace ephyra::simulation
     geometry::BodyParameters  body;
     BodySampling              body_sampling;
     geometry::CurveParameters tissue_line;
+    TissueMotion::Parameters  tissue_motion;
+    TissueSampling            tissue_sampling;
     bool                      single_cell = false;
     std::vector<double> crossing_points; ///< theta^1 of probes of the tissue
     double              crossing_level = 0.02; ///< V

@@ -2,6 +2,8 @@
 
 #include "ephyra/simulation/line_profile.h"
 #include "ephyra/simulation/model.h"
+#include "ephyra/simulation/tissue_motion.h"
+#include "ephyra/simulation/tissue_probes.h"
 
 #include <optional>
 
@@ -20,6 +22,8 @@ namespace ephyra::simulation
     void
     evaluate(Record &record) override;
     void
+    write_probes(double time, RunOutput &output) const override;
+    void
     write_profiles(double time, RunOutput &output) const override;
     void
     write_fields(double time, RunOutput &output) override;
@@ -30,8 +34,12 @@ namespace ephyra::simulation
     std::optional<splines::NurbsPatch<1>>                       line;
     std::unique_ptr<electrophysiology::ElectrophysiologySolver> solver;
     std::optional<LineProfile>                                  profile;
-    double                                                      time = 0; ///< s
-    std::vector<int>                                            crossing_probes;
-    std::vector<double>                                         probe_points;
+    std::optional<TissueMotion>                                 motion;
+    std::optional<TissueProbes>                                 probes;
+    std::int64_t        metric_updates = 0; ///< of a moving line
+    std::vector<double> G11, radius;
+    double              time = 0; ///< s
+    std::vector<int>    crossing_probes;
+    std::vector<double> probe_points;
   };
 } // namespace ephyra::simulation
