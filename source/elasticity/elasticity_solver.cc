@@ -306,11 +306,18 @@ namespace ephyra::elasticity
     if (gamma != op->activation())
       op->set_activation(gamma);
 
-    // The predictor keeps the velocity; a repeated step keeps its result.
+    // A repeated step keeps its result.
     std::vector<double> x(next.a);
     if (!repeated || !prm.warm_start || dt != last_dt)
-      for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] = (alpha.gamma - 1.) / alpha.gamma * level.a[i];
+      {
+        x = level.a;
+        // Fast modes, which alternate where nothing damps them, do not follow
+        // the trend.
+        if (prm.rho_infinity < 1. && !older_acceleration.empty() &&
+            dt == last_dt)
+          for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] += level.a[i] - older_acceleration[i];
+      }
     const Constraints &constraints = op->get_constraints();
     for (int i = 0; i < op->n_unknowns(); ++i)
       if (constraints.equation(i) == -1)
@@ -342,6 +349,7 @@ namespace ephyra::elasticity
   {
     if (newton)
       newton->forget();
+    older_acceleration.clear();
     repeated = false;
   }
 
@@ -377,6 +385,7 @@ namespace ephyra::elasticity
         started  = true;
         repeated = false;
         counted  = true;
+        older_acceleration.clear();
       }
     accounts.serialize(archive);
     step_work.serialize(archive);

@@ -9,8 +9,9 @@ namespace ephyra::elasticity
   {
     if (!counted)
       count_work();
-    level    = next;
-    repeated = false;
+    older_acceleration = level.a;
+    level              = next;
+    repeated           = false;
   }
 
   EnergyAccounts::Parts

@@ -4,6 +4,7 @@
 #include "factorization_check.h"
 
 #include <algorithm>
+#include <cmath>
 
 extern "C"
 {
@@ -25,6 +26,23 @@ extern "C"
           const double *band,
           const int    *stride,
           const int    *pivots,
+          double       *solution,
+          const int    *solution_stride,
+          int          *info);
+  void
+  dpbtrf_(const char *triangle,
+          const int  *n,
+          const int  *half_bandwidth,
+          double     *band,
+          const int  *stride,
+          int        *info);
+  void
+  dpbtrs_(const char   *triangle,
+          const int    *n,
+          const int    *half_bandwidth,
+          const int    *n_right_hand_sides,
+          const double *band,
+          const int    *stride,
           double       *solution,
           const int    *solution_stride,
           int          *info);
@@ -51,8 +69,31 @@ namespace ephyra::linear_algebra
 {
   namespace
   {
-    /// LU with partial pivoting of the transposed matrix, which row-wise
-    /// storage is to LAPACK; solved transposed again.
+    /// Whether a band matrix is symmetric up to round-off.
+    bool
+    symmetric(const BandMatrix &band, const std::vector<double> &norms)
+    {
+      for (int row = 0; row < band.n_rows; ++row)
+        {
+          const double *right = band.row_values(row) + row -
+                                band.first_column(row); // from the diagonal on
+          const int last = band.last_column(row);
+          for (int column = row + 1; column < last; ++column)
+            {
+              const double below =
+                band.row_values(column)[row - band.first_column(column)];
+              if (!(std::abs(right[column - row] - below) <=
+                    1e-13 * std::min(norms[row], norms[column])))
+                return false;
+            }
+        }
+      return true;
+    }
+
+    /// Cholesky's factorisation where a band is symmetric and positive definite
+    /// (a half to a third of the time of the other), else LU with partial
+    /// pivoting of the transposed matrix, which row-wise storage is to LAPACK;
+    /// solved transposed again.
     class LapackSolver final : public DirectSolver
     {
     public:
@@ -78,12 +119,13 @@ namespace ephyra::linear_algebra
         full = band.full;
         pivots.resize(n);
         int info = 0;
+        cholesky = !full && symmetric(band, norms) && factorize_symmetric(band);
         if (full)
           {
             factors = band.values;
             dgetrf_(&n, &n, factors.data(), &n, pivots.data(), &info);
           }
-        else
+        else if (!cholesky)
           {
             // LAPACK wants b more rows above the band, for the pivoting.
             stride = 3 * b + 1;
@@ -120,7 +162,17 @@ namespace ephyra::linear_algebra
         solution      = right_hand_side;
         const int one = 1;
         int       info;
-        if (full)
+        if (cholesky)
+          dpbtrs_("L",
+                  &n,
+                  &b,
+                  &one,
+                  factors.data(),
+                  &stride,
+                  solution.data(),
+                  &n,
+                  &info);
+        else if (full)
           dgetrs_("T",
                   &n,
                   &one,
@@ -151,11 +203,27 @@ namespace ephyra::linear_algebra
       }
 
     private:
+      /// Whether the matrix is positive definite.
+      bool
+      factorize_symmetric(const BandMatrix &band)
+      {
+        stride = b + 1;
+        factors.assign(static_cast<std::size_t>(n) * stride, 0.);
+        for (int row = 0; row < n; ++row)
+          std::copy_n(band.row_values(row) + row - band.first_column(row),
+                      band.last_column(row) - row,
+                      &factors[static_cast<std::size_t>(row) * stride]);
+        int info = 0;
+        dpbtrf_("L", &n, &b, factors.data(), &stride, &info);
+        return info == 0;
+      }
+
       const std::string   what;
-      int                 n      = 0;
-      int                 b      = 0;
-      int                 stride = 0;
-      bool                full   = false;
+      int                 n        = 0;
+      int                 b        = 0;
+      int                 stride   = 0;
+      bool                full     = false;
+      bool                cholesky = false;
       std::vector<double> factors;
       std::vector<int>    pivots;
     };

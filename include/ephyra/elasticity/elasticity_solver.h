@@ -35,7 +35,8 @@ namespace ephyra::elasticity
   ///   M a^alpha + F_int(u^alpha) = F_ext(u^alpha, t^alpha) + f^alpha
   /// with u, a, the activation and the load of the surroundings f weighted
   /// between t^n and t^{n+1}, the own loads of the body at t^alpha. Newton's
-  /// method solves for a^{n+1}, starting from constant velocity.
+  /// method solves for a^{n+1}, starting from the acceleration at n and, for
+  /// rho_infinity < 1, its trend.
   ///
   /// advance() goes from the level n to n+1 and may be called any number of
   /// times with other loads, activations and time steps: level n is kept until
@@ -217,8 +218,10 @@ namespace ephyra::elasticity
     bool                                repeated = false;
     EnergyAccounts                      accounts;
     StepWork                            step_work;
-    std::vector<double>                 reaction;             ///< at t^alpha, N
-    bool                                at_new_level = false; ///< last load
-    bool                                counted      = true;  ///< last step
+    std::vector<double>                 reaction; ///< at t^alpha, N
+    /// At level n-1, empty where unknown.
+    std::vector<double> older_acceleration;
+    bool                at_new_level = false; ///< last load
+    bool                counted      = true;  ///< last step
   };
 } // namespace ephyra::elasticity

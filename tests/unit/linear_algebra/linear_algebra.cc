@@ -210,6 +210,36 @@ BOOST_AUTO_TEST_CASE(direct_solve_and_new_values)
       }
 }
 
+BOOST_AUTO_TEST_CASE(symmetric_matrices)
+{
+  // Positive definite, indefinite, and not quite symmetric.
+  const int  n        = 60;
+  const auto elements = chain(n, 4);
+  for (const double diagonal : {6., 0.3})
+    for (const double skew : {0., 1e-6})
+      {
+        SparseMatrix matrix(
+          pattern_of(n, elements), Storage::band, MPI_COMM_SELF);
+        matrix.begin_assembly();
+        for (std::size_t e = 0; e < elements.size(); ++e)
+          for (int i = 0; i < 4; ++i)
+            for (int j = 0; j < 4; ++j)
+              matrix.add(elements[e][i],
+                         elements[e][j],
+                         i == j ? diagonal
+                                : std::sin(1. + i + j + 0.1 * e) +
+                                    (i < j ? skew : 0.));
+        matrix.finish_assembly();
+        const auto solver = make_direct_solver(Storage::band, "test");
+        solver->factorize(matrix);
+        const std::vector<double> x = some_vector(n);
+        std::vector<double>       b, solution;
+        matrix.multiply(x, b);
+        solver->solve(b, solution);
+        BOOST_TEST(distance(x, solution) < 1e-11);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(pivoting)
 {
   // Zero diagonal: needs row exchanges.
