@@ -7,6 +7,8 @@
 #include "ephyra/geometry/simple_curves.h"
 #include "ephyra/simulation/flow_benchmark.h"
 
+#include <array>
+#include <string>
 #include <vector>
 
 namespace ephyra::simulation
@@ -38,10 +40,16 @@ namespace ephyra::simulation
     }
 
     void
-    body_case(BenchmarkReport &report, const MPI_Comm comm)
+    body_case(BenchmarkReport          &report,
+              const int                 degree,
+              const std::array<int, 2> &elements,
+              const MPI_Comm            comm)
     {
+      const std::string name = "bell, " + std::to_string(elements[0]) + " x " +
+                               std::to_string(elements[1]) + ", degree " +
+                               std::to_string(degree) + ": ";
       const geometry::BodyPatch shape = geometry::make_bell(
-        geometry::BellParameters(), 0., geometry::Discretization());
+        geometry::BellParameters(), 0., {{{degree, degree}}, elements});
       elasticity::ElasticityOperator body(
         elasticity::ElasticityOperator::Parameters(),
         shape.patch,
@@ -52,10 +60,10 @@ namespace ephyra::simulation
       linear_algebra::SparseMatrix matrix(
         pattern, linear_algebra::preferred_storage(pattern), MPI_COMM_SELF);
       std::vector<double> u(body.n_unknowns(), 0.), residual;
-      report.line("bell, residual, for each unknown",
+      report.line(name + "residual, for each unknown",
                   least_time(20, comm, [&] { body.residual(u, residual); }),
                   n);
-      report.line("bell, residual and tangent",
+      report.line(name + "residual and tangent",
                   least_time(20,
                              comm,
                              [&] {
@@ -67,10 +75,10 @@ namespace ephyra::simulation
                   n);
       const auto solver =
         linear_algebra::make_direct_solver(matrix.storage(), "bell");
-      report.line("bell, factorisation",
+      report.line(name + "factorisation",
                   least_time(20, comm, [&] { solver->factorize(matrix); }),
                   n);
-      report.line("bell, solve",
+      report.line(name + "solve",
                   least_time(20, comm, [&] { solver->solve(residual, u); }),
                   n);
     }
@@ -83,6 +91,9 @@ namespace ephyra::simulation
     run_flow_benchmark(report, comm);
     report.heading("solids and nerve net");
     tissue_case(report, comm);
-    body_case(report, comm);
+    body_case(report, 3, {{35, 6}}, comm);
+    body_case(report, 2, {{35, 6}}, comm);
+    body_case(report, 4, {{35, 6}}, comm);
+    body_case(report, 3, {{80, 12}}, comm);
   }
 } // namespace ephyra::simulation
