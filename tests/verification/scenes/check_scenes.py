@@ -8,6 +8,7 @@
 import sys
 
 import elasticity_cases  # noqa: F401, adds to CASES
+import energy_cases  # noqa: F401, adds to CASES
 import flow_cases  # noqa: F401, adds to CASES
 from cases import CASES
 from scene_run import SceneRun
