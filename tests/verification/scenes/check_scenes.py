@@ -7,6 +7,7 @@
 
 import sys
 
+import bell_cases  # noqa: F401, adds to CASES
 import elasticity_cases  # noqa: F401, adds to CASES
 import energy_cases  # noqa: F401, adds to CASES
 import flow_cases  # noqa: F401, adds to CASES
