@@ -296,12 +296,14 @@ namespace ephyra::elasticity
                               const double  stiffness_factor,
                               const double  mass_factor)
   {
-    const int       nq = tables.n_q(), n = tables.n_local();
-    const auto      index  = static_cast<std::size_t>(e);
-    const double   *T      = &transform[index * PatchTables::n_transform * nq];
-    const double   *volume = &tables.volume[index * nq];
-    const double   *moved  = &shift[index * 4 * nq];
-    const Material &m      = prm.material;
+    const int     nq = tables.n_q(), n = tables.n_local();
+    const auto    index  = static_cast<std::size_t>(e);
+    const double *T      = &transform[index * PatchTables::n_transform * nq];
+    const double *volume = &tables.volume[index * nq];
+    const double *moved  = &shift[index * 4 * nq];
+    const double *predicted =
+      predicted_pressure.empty() ? nullptr : &predicted_pressure[index * nq];
+    const Material &m = prm.material;
 
     internal::evaluate_values<n2>(tables, e, *work);
     if (m.small_strain)
@@ -309,19 +311,19 @@ namespace ephyra::elasticity
         const double mu = m.shear_modulus(), kappa = m.bulk_modulus();
         if (matrix)
           internal::evaluate_material<true, true>(
-            tables, mu, kappa, T, volume, moved, *work);
+            tables, mu, kappa, T, volume, moved, predicted, *work);
         else
           internal::evaluate_material<true, false>(
-            tables, mu, kappa, T, volume, moved, *work);
+            tables, mu, kappa, T, volume, moved, predicted, *work);
       }
     else
       {
         if (matrix)
           internal::evaluate_material<false, true>(
-            tables, m.c10, m.K, T, volume, moved, *work);
+            tables, m.c10, m.K, T, volume, moved, predicted, *work);
         else
           internal::evaluate_material<false, false>(
-            tables, m.c10, m.K, T, volume, moved, *work);
+            tables, m.c10, m.K, T, volume, moved, predicted, *work);
         if (!(work->smallest_J > 0.))
           return false;
       }
@@ -438,7 +440,10 @@ namespace ephyra::elasticity
                                            const double stiffness_factor,
                                            const double mass_factor)
   {
-    return assemble(u, residual, &matrix, stiffness_factor, mass_factor);
+    const Evaluation result =
+      assemble(u, residual, &matrix, stiffness_factor, mass_factor);
+    predicted_pressure.clear();
+    return result;
   }
 
   void

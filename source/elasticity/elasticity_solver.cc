@@ -90,6 +90,25 @@ namespace ephyra::elasticity
     }
 
     void
+    predict(const std::vector<double> &x,
+            const std::vector<double> &correction) override
+    {
+      weight(x);
+      const double        factor = s.alpha.alpha_f * s.alpha.beta * dt * dt;
+      std::vector<double> du(correction);
+      for (double &value : du)
+        value *= factor;
+      s.op->predict_pressure(u, du);
+    }
+
+    void
+    predict_start() override
+    {
+      s.op->predict_pressure(s.level.u,
+                             std::vector<double>(s.level.u.size(), 0.));
+    }
+
+    void
     complete(std::vector<double> &correction) const override
     {
       s.op->get_constraints().complete(correction);

@@ -17,6 +17,7 @@ namespace ephyra::elasticity::internal
       : coefficients(2 * g.n_local())
       , values(6 * g.n_q())
       , cube_root(g.n_q())
+      , pressure(g.n_q())
       , flux(6 * g.n_q())
       , force(2 * g.n_local())
       , moduli(36 * g.n_q())
@@ -28,6 +29,7 @@ namespace ephyra::elasticity::internal
     std::vector<double> coefficients; ///< w_a x_a: [component][a]
     std::vector<double> values;       ///< [component][s][q]
     std::vector<double> cube_root;    ///< J^(-2/3), [q]
+    std::vector<double> pressure;     ///< dPsi/dJ of the volume, [q]
     std::vector<double> flux;         ///< work-conjugate to values
     std::vector<double> force;        ///< [2 a + component]
     std::vector<double> moduli;       ///< d flux / d values: [q1][s t][i k][q2]
@@ -99,8 +101,30 @@ namespace ephyra::elasticity::internal
         }
   }
 
+  /// The same where the number of functions is not known.
+  inline void
+  evaluate_values(const PatchTables &g, const int e, ElementWork &work)
+  {
+    switch (g.n2)
+      {
+      case 2:
+        return evaluate_values<2>(g, e, work);
+      case 3:
+        return evaluate_values<3>(g, e, work);
+      case 4:
+        return evaluate_values<4>(g, e, work);
+      case 5:
+        return evaluate_values<5>(g, e, work);
+      case 6:
+        return evaluate_values<6>(g, e, work);
+      default:
+        return evaluate_values<7>(g, e, work);
+      }
+  }
+
   /// Stress and moduli at the Gauss points, in terms of the parametric values:
-  /// @p T is the transform of the element, with the active strain in it.
+  /// @p T is the transform of the element, with the active strain in it. The
+  /// tangent takes the pressure @p predicted, or that of F where this is null.
   template <bool small_strain, bool with_tangent>
   void
   evaluate_material(const PatchTables &g,
@@ -109,6 +133,7 @@ namespace ephyra::elasticity::internal
                     const double      *T,
                     const double      *volume,
                     const double      *shift,
+                    const double      *predicted,
                     ElementWork       &work)
   {
     const int     nq2 = g.nq2, nq = g.n_q();
@@ -136,6 +161,9 @@ namespace ephyra::elasticity::internal
       {
         if (!(smallest > 0.))
           return;
+        if (with_tangent && !predicted)
+          for (int q = 0; q < nq; ++q)
+            work.pressure[q] = 2. * modulus2 * (root[q] - 1.);
         for (int q = 0; q < nq; ++q)
           {
             const double c = std::cbrt(root[q]);
@@ -143,6 +171,7 @@ namespace ephyra::elasticity::internal
           }
       }
 
+    const double *pressure = predicted ? predicted : work.pressure.data();
     for (int q1 = 0; q1 < g.nq1; ++q1)
       {
         double *D = &work.moduli[q1 * 36 * nq2];
@@ -188,6 +217,7 @@ namespace ephyra::elasticity::internal
                           f2,
                           f3,
                           f4,
+                          with_tangent ? pressure[q] : 0.,
                           p0,
                           p1,
                           p2,

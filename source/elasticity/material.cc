@@ -140,6 +140,7 @@ namespace ephyra::elasticity
                               F[2],
                               F[3],
                               F[4],
+                              2. * material.K * (J - 1.),
                               P[0],
                               P[1],
                               P[2],

@@ -15,7 +15,8 @@ namespace ephyra::elasticity::internal
 
   /// Stress and tangent of Material at F = (f0, f1, f2, f3, f4), see
   /// material.h. @p i is J^(-2/3): cube roots do not vectorise, so a caller
-  /// with many points computes them apart.
+  /// with many points computes them apart. The tangent takes the pressure
+  /// dPsi/dJ of the volume from @p pressure, the stress from F.
   inline void
   neo_hookean(const double    c10,
               const double    K,
@@ -25,6 +26,7 @@ namespace ephyra::elasticity::internal
               const double    f2,
               const double    f3,
               const double    f4,
+              const double    pressure,
               double         &p0,
               double         &p1,
               double         &p2,
@@ -39,15 +41,16 @@ namespace ephyra::elasticity::internal
     const double h4 = 1. / f4;
     const double I1 = f0 * f0 + f1 * f1 + f2 * f2 + f3 * f3 + f4 * f4;
     const double a  = 2. * c10 * i;
-    const double b  = 2. * K * J * (J - 1.) - a * I1 / 3.;
-    const double c  = 2. / 9. * a * I1 + 2. * K * J * (2. * J - 1.);
     const double e  = 2. / 3. * a;
+    const double s  = 2. * K * J * (J - 1.) - a * I1 / 3.;
+    const double b  = pressure * J - a * I1 / 3.;
+    const double c  = 2. / 9. * a * I1 + pressure * J + 2. * K * J * J;
 
-    p0 = a * f0 + b * h0;
-    p1 = a * f1 + b * h1;
-    p2 = a * f2 + b * h2;
-    p3 = a * f3 + b * h3;
-    p4 = a * f4 + b * h4;
+    p0 = a * f0 + s * h0;
+    p1 = a * f1 + s * h1;
+    p2 = a * f2 + s * h2;
+    p3 = a * f3 + s * h3;
+    p4 = a * f4 + s * h4;
 
     // c H_x H_y - e (F_x H_y + H_x F_y)
     const double k0 = c * h0 - e * f0, k1 = c * h1 - e * f1;

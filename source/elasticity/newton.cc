@@ -32,15 +32,23 @@ namespace ephyra::elasticity
                       "The factorised matrix is kept, also over time steps, "
                       "while an iteration reduces the residual to this "
                       "fraction or less; 0 factorises in every iteration.");
+    prm.declare_entry("Independent pressure",
+                      "true",
+                      patterns::Bool(),
+                      "Newton's method first treats the pressure at each Gauss "
+                      "point as an unknown of its own: the same solution in as "
+                      "many iterations for any K; where that does not "
+                      "converge, as without.");
   }
 
   void
   Newton::Parameters::parse(ParameterHandler &prm)
   {
-    max_iterations = prm.get_integer("Newton iterations");
-    tolerance      = prm.get_double("Newton tolerance");
-    line_search    = prm.get_bool("Line search");
-    reuse          = prm.get_double("Factorisation reuse");
+    max_iterations       = prm.get_integer("Newton iterations");
+    tolerance            = prm.get_double("Newton tolerance");
+    line_search          = prm.get_bool("Line search");
+    reuse                = prm.get_double("Factorisation reuse");
+    independent_pressure = prm.get_bool("Independent pressure");
   }
 
   Newton::Newton(const Parameters                      &parameters,
@@ -127,9 +135,36 @@ namespace ephyra::elasticity
   NewtonStatus
   Newton::solve(NonlinearProblem &problem, std::vector<double> &x)
   {
+    if (!prm.independent_pressure)
+      return iterate(problem, x, false);
+    const std::vector<double> start = x;
+    const NewtonStatus        first = iterate(problem, x, true);
+    if (first.success)
+      return first;
+    x                   = start;
+    NewtonStatus status = iterate(problem, x, false);
+    status.iterations += first.iterations;
+    status.factorizations += first.factorizations;
+    return status;
+  }
+
+  NewtonStatus
+  Newton::iterate(NonlinearProblem    &problem,
+                  std::vector<double> &x,
+                  const bool           independent_pressure)
+  {
     NewtonStatus status;
-    const auto   assemble = [&](std::vector<double> &residual) {
+    // Full steps either converge soon, or do not.
+    const int most_iterations =
+      independent_pressure ? (prm.max_iterations + 1) / 2 : prm.max_iterations;
+    const bool line_search = prm.line_search && !independent_pressure;
+    bool       moved       = false; // by the correction, from x_new to x
+    const auto assemble    = [&](std::vector<double> &residual) {
       const TimerTree::Scope scope(timer(), "tangent", matrix.n_rows());
+      if (independent_pressure && moved)
+        problem.predict(x_new, correction);
+      else if (independent_pressure)
+        problem.predict_start();
       matrix.begin_assembly();
       const auto evaluation = problem.residual_and_tangent(x, residual, matrix);
       matrix.finish_assembly();
@@ -162,12 +197,12 @@ namespace ephyra::elasticity
           return fail("the residual of Newton's method is not finite");
         if (size <= prm.tolerance * evaluation.scale + evaluation.floor)
           return status;
-        if (status.iterations == prm.max_iterations)
+        if (status.iterations == most_iterations)
           {
             std::ostringstream reason;
-            reason << "Newton's method did not converge in "
-                   << prm.max_iterations << " iterations: relative residual "
-                   << status.residual << ", wanted " << prm.tolerance;
+            reason << "Newton's method did not converge in " << most_iterations
+                   << " iterations: relative residual " << status.residual
+                   << ", wanted " << prm.tolerance;
             return fail(reason.str());
           }
 
@@ -175,7 +210,9 @@ namespace ephyra::elasticity
         if (fresh)
           {
             if (!assembled)
-              assemble(r);
+              {
+                assemble(r);
+              }
             assembled = false;
             if (!factorize(status))
               return status;
@@ -195,7 +232,9 @@ namespace ephyra::elasticity
         double       size_new = 0.;
         auto         trial    = evaluation;
         bool         accepted = false;
-        for (int attempt = 0; attempt < 12 && !accepted; ++attempt)
+        for (int attempt = 0;
+             attempt < 12 && !accepted;
+             ++attempt)
           {
             x_new = x;
             for (std::size_t i = 0; i < x.size(); ++i)
@@ -211,7 +250,7 @@ namespace ephyra::elasticity
                 continue;
               }
             const double work_new = dot(correction, r_new);
-            accepted              = size_new < size || !prm.line_search ||
+            accepted              = size_new < size || !line_search ||
                        std::abs(work_new) <= 0.8 * std::abs(work) ||
                        attempt >= 5;
             if (!accepted && !fresh)
@@ -231,10 +270,14 @@ namespace ephyra::elasticity
           {
             // The old matrix misleads: try again from here with a new one.
             factorized = false;
+            moved      = false;
             continue;
           }
         if (size_new > prm.reuse * size)
           factorized = false;
+        for (double &c : correction)
+          c *= step;
+        moved = true;
         x.swap(x_new);
         r.swap(r_new);
         evaluation = trial;

@@ -16,8 +16,11 @@ namespace ephyra::elasticity
     class StaticProblem : public NonlinearProblem
     {
     public:
-      explicit StaticProblem(ElasticityOperator &op)
+      /// @p equilibrium: the displacement of the last level.
+      StaticProblem(ElasticityOperator        &op,
+                    const std::vector<double> &equilibrium)
         : op(op)
+        , equilibrium(equilibrium)
       {
       }
 
@@ -42,13 +45,28 @@ namespace ephyra::elasticity
       }
 
       void
+      predict(const std::vector<double> &x,
+              const std::vector<double> &correction) override
+      {
+        op.predict_pressure(x, correction);
+      }
+
+      void
+      predict_start() override
+      {
+        op.predict_pressure(equilibrium,
+                            std::vector<double>(equilibrium.size(), 0.));
+      }
+
+      void
       complete(std::vector<double> &correction) const override
       {
         op.get_constraints().complete(correction);
       }
 
     private:
-      ElasticityOperator &op;
+      ElasticityOperator        &op;
+      const std::vector<double> &equilibrium;
     };
 
     linear_algebra::SparsityPattern
@@ -209,7 +227,7 @@ namespace ephyra::elasticity
   NewtonStatus
   StaticsSolver::advance(const double next, const Activation &activation)
   {
-    StaticProblem problem(op);
+    StaticProblem problem(op, u_old);
     set_level(next, activation);
     predict(next, the_level, older_level, problem);
     NewtonStatus status = newton.solve(problem, u);

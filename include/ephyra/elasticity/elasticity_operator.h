@@ -129,6 +129,16 @@ namespace ephyra::elasticity
                          linear_algebra::SparseMatrix &matrix,
                          double                        stiffness_factor,
                          double                        mass_factor);
+    /// For the next tangent alone, which is to be at the displacement u + du:
+    /// it takes the pressure 2 K (J - 1) of the volume at the Gauss points from
+    /// the linear change of J from u on. Newton's method then converges as for
+    /// a mixed form whose pressure at each Gauss point is an unknown of its own,
+    /// in as many iterations for any K (mixed integration points, Magisano,
+    /// Leonetti & Garcea 2017, 10.1002/nme.5496); what it converges to is the
+    /// same.
+    void
+    predict_pressure(const std::vector<double> &u,
+                     const std::vector<double> &du);
     /// residual += M a.
     void
     add_inertia(const std::vector<double> &a,
@@ -244,6 +254,7 @@ namespace ephyra::elasticity
     std::vector<double> shift;     ///< F_a - I for small strain: [e][4][q]
     std::vector<int>    equations; ///< of the unknowns of each element
     double              shortening = 0.;
+    std::vector<double> predicted_pressure; ///< [e][q], Pa; empty: none
 
     std::vector<double> element_mass; ///< [e][pair a1 <= b1][a2, b2], kg
     std::vector<int>    mass_start, mass_column; ///< of points, rows

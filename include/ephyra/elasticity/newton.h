@@ -45,6 +45,18 @@ namespace ephyra::elasticity
     residual_and_tangent(const std::vector<double>    &x,
                          std::vector<double>          &residual,
                          linear_algebra::SparseMatrix &tangent) = 0;
+    /// The next residual_and_tangent() will be at x + correction, which is where
+    /// Newton's method went from x: for problems that know a better tangent then.
+    virtual void
+    predict(const std::vector<double> & /*x*/,
+            const std::vector<double> & /*correction*/)
+    {
+    }
+    /// The same where Newton's method is at its starting point.
+    virtual void
+    predict_start()
+    {
+    }
     /// Completes a correction in the eliminated unknowns.
     virtual void
     complete(std::vector<double> &correction) const = 0;
@@ -65,6 +77,9 @@ namespace ephyra::elasticity
       /// The factorisation is kept while an iteration reduces the residual to
       /// this fraction or less; 0: a new one for every iteration.
       double reuse = 0.3;
+      /// Full steps with tangents of predicted pressures first, see
+      /// ElasticityOperator::predict_pressure().
+      bool independent_pressure = true;
 
       static void
       declare(ParameterHandler &prm);
@@ -98,6 +113,10 @@ namespace ephyra::elasticity
     forget();
 
   private:
+    NewtonStatus
+    iterate(NonlinearProblem    &problem,
+            std::vector<double> &x,
+            bool                 independent_pressure);
     bool
     factorize(NewtonStatus &status);
     double
