@@ -232,9 +232,7 @@ namespace ephyra::elasticity
         double       size_new = 0.;
         auto         trial    = evaluation;
         bool         accepted = false;
-        for (int attempt = 0;
-             attempt < 12 && !accepted;
-             ++attempt)
+        for (int attempt = 0; attempt < 12 && !accepted; ++attempt)
           {
             x_new = x;
             for (std::size_t i = 0; i < x.size(); ++i)

@@ -1,6 +1,7 @@
 #include "ephyra/simulation/scene_checks.h"
 
 #include "ephyra/base/exceptions.h"
+#include "ephyra/simulation/body_checks.h"
 #include "ephyra/simulation/flow_checks.h"
 #include "ephyra/simulation/tissue_checks.h"
 #include "ephyra/simulation/window_checks.h"
@@ -146,6 +147,7 @@ namespace ephyra::simulation
       try
         {
           const geometry::BodyPatch body = geometry::create_body(scene.body);
+          check_elasticity(scene, body.patch, prm);
           if (grid == nullptr)
             return;
           check_inside(*grid,
