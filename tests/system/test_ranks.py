@@ -58,6 +58,18 @@ class RanksTest(runs.SystemTest):
     def test_active_body_in_equilibrium(self):
         self.check_body()
 
+    def test_contracted_bell_in_equilibrium(self):
+        # Thin and nearly incompressible: 1e-10 takes more than the tolerance of
+        # Newton's method that is usual.
+        scene = runs.ROOT / "parameters/verification/bell_contraction.prm"
+        options = ("--overwrite", *runs.sets(Elasticity__Newton_tolerance="1e-12",
+                                             Body__Elements="10, 3"))
+        self.run_scene(scene, "one", *options)
+        for ranks in (2, 4):
+            self.run_scene(scene, f"ranks{ranks}", *options, ranks=ranks)
+            self.assert_same(f"ranks{ranks}", "one", TOLERANCE_OF_A_BODY)
+        self.assertGreater(self.table("one")["drop of margin diameter [-]"][-1], 0.1)
+
     def test_active_body_in_motion(self):
         # Each rank for itself, and the elements shared.
         motion = runs.sets(Scene__Mechanics="dynamic", Time__End_time="1 s",

@@ -8,6 +8,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <cmath>
+#include <iomanip>
 
 using namespace ephyra;
 using namespace ephyra::elasticity;
@@ -48,7 +49,10 @@ namespace
   {
     auto prm         = tube_parameters("100", K);
     prm.rho_infinity = rho_infinity;
-    ElasticitySolver solver(prm, patch, MPI_COMM_WORLD);
+    // With four elements the radius is 4e-5 m too small at K = 5e7 Pa, and ten
+    // times as much at ten times K.
+    const auto       fine = test::tube(.5, .8, .1, 3, {1, 8});
+    ElasticitySolver solver(prm, fine, MPI_COMM_WORLD);
     solver.initialize(0.);
     std::vector<double> a{.5};
     for (int step = 0; step < std::lround(end / dt); ++step)
@@ -96,10 +100,11 @@ BOOST_AUTO_TEST_CASE(period_and_amplitude_of_a_tube)
   BOOST_TEST(exact.first == 1.353253, boost::test_tools::tolerance(1e-6));
   BOOST_TEST(exact.second == .626466860, boost::test_tools::tolerance(1e-9));
   const auto found = maximum(inflate(5e7, 0.01, 1.5), 0.01);
-  BOOST_TEST_MESSAGE("largest inner radius " << found.second << " m at "
-                                             << found.first << " s");
-  BOOST_TEST(found.second == exact.second, boost::test_tools::tolerance(2e-4));
-  BOOST_TEST(found.first == exact.first, boost::test_tools::tolerance(2e-3));
+  BOOST_TEST_MESSAGE(std::setprecision(8)
+                     << "largest inner radius " << found.second << " m at "
+                     << found.first << " s");
+  BOOST_TEST(found.second == exact.second, boost::test_tools::tolerance(5e-6));
+  BOOST_TEST(found.first == exact.first, boost::test_tools::tolerance(2e-4));
 }
 
 BOOST_AUTO_TEST_CASE(incompressible_limit)
@@ -110,15 +115,16 @@ BOOST_AUTO_TEST_CASE(incompressible_limit)
   const auto          exact = incompressible(dt, end);
   std::vector<double> found;
   double              before = 0.;
-  for (const double K : {5e4, 5e5, 5e6})
+  for (const double K : {5e4, 5e5, 5e6, 5e7})
     {
       found              = inflate(K, dt, end);
       const double error = distance(found, exact);
       const auto   top   = maximum(found, dt);
-      BOOST_TEST_MESSAGE("K " << K << " Pa, step " << dt
-                              << " s: rms distance of the inner radius "
-                              << error << " m; largest " << top.second
-                              << " m at " << top.first << " s");
+      BOOST_TEST_MESSAGE(std::setprecision(8)
+                         << "K " << K << " Pa, step " << dt
+                         << " s: rms distance of the inner radius " << error
+                         << " m; largest " << top.second << " m at "
+                         << top.first << " s");
       if (before > 0.)
         {
           BOOST_TEST(before / error > 8.);
@@ -128,17 +134,17 @@ BOOST_AUTO_TEST_CASE(incompressible_limit)
     }
   // And what the time step adds, as its square.
   const auto step_error = [&](const int every) {
-    const auto          coarse = inflate(5e6, every * dt, end);
+    const auto          coarse = inflate(5e7, every * dt, end);
     std::vector<double> fine;
     for (std::size_t k = 0; k < coarse.size(); ++k)
       fine.push_back(found[k * every]);
     const double error = distance(coarse, fine);
-    BOOST_TEST_MESSAGE("K 5e6 Pa, step "
+    BOOST_TEST_MESSAGE("K 5e7 Pa, step "
                        << every * dt << " s: rms distance to steps of " << dt
                        << " s " << error << " m");
     return error;
   };
-  const double coarse = step_error(20), fine = step_error(10);
+  const double coarse = step_error(10), fine = step_error(5);
   BOOST_TEST(std::log2(coarse / fine) > 1.85);
 }
 

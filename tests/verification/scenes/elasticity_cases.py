@@ -123,7 +123,7 @@ def cantilever_tube_refined(run):
 def oscillating_tube(run):
     table = run.table("statistics")
     radius = table["inner margin radius [m]"]
-    yield relative("largest inner radius, m", max(radius), 0.626466860, 1e-3,
+    yield relative("largest inner radius, m", max(radius), 0.626466860, 1e-5,
                    f"{INDEPENDENT}, incompressible")
     yield relative("time of it, s", table["time [s]"][radius.index(max(radius))], 1.353253,
-                   0.01, f"{INDEPENDENT}, incompressible")
+                   0.004, f"{INDEPENDENT}, incompressible")
