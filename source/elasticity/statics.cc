@@ -13,6 +13,29 @@ namespace ephyra::elasticity
 {
   namespace
   {
+    /// Growth of the motion with the load that tells of a limit point at the
+    /// level c, near which it is (c - level)^(-1/2).
+    constexpr double limit_point_growth = 5.;
+
+    /// Displacement over load between two levels, over its mean up to the
+    /// later one.
+    double
+    growth_of_motion(const std::vector<double> &u,
+                     const double               level,
+                     const std::vector<double> &u_older,
+                     const double               older_level)
+    {
+      double step = 0., way = 0.;
+      for (std::size_t i = 0; i < u.size(); ++i)
+        {
+          step = std::max(step, std::abs(u[i] - u_older[i]));
+          way  = std::max(way, std::abs(u[i]));
+        }
+      return level > older_level && way > 0.
+               ? step / (level - older_level) / (way / level)
+               : 0.;
+    }
+
     class StaticProblem : public NonlinearProblem
     {
     public:
@@ -242,8 +265,15 @@ namespace ephyra::elasticity
         std::ostringstream reason;
         reason << "no equilibrium at " << 100. * next << " % of the load ("
                << status.reason << "), the last level that converged is "
-               << 100. * the_level << " %; lower the load, refine the mesh or "
-               << "allow smaller load steps.";
+               << 100. * the_level << " %";
+        const double growth =
+          growth_of_motion(u_old, the_level, u_older, older_level);
+        if (growth > limit_point_growth)
+          reason << ", where the body moves " << growth << " times as far with "
+                 << "the load as on average before: it is about to buckle or "
+                 << "to snap through, which Mechanics = dynamic follows";
+        reason << "; lower the load, refine the mesh or allow smaller load "
+               << "steps.";
         status.reason = reason.str();
         u             = u_old;
         set_level(the_level, activation);

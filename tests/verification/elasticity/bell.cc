@@ -99,6 +99,40 @@ BOOST_AUTO_TEST_CASE(contraction_with_a_flat_margin)
   check(ActiveStrain::Form::paper_metric, 0.134, 33., 30.);
 }
 
+// Coronal muscle alone, on all meshes, to a shortening far beyond 60 %.
+BOOST_AUTO_TEST_CASE(strong_contraction)
+{
+  const auto drop = contract(ActiveStrain::Form::unit_directors, .94, 10, 3);
+  BOOST_TEST(drop.result.level == 1.);
+  BOOST_TEST(drop.outer > .6);
+  BOOST_TEST(std::abs(drop.volume) < 2e-4);
+}
+
+// Radial and coronal muscle together make the bell snap through at 34 to 37 %
+// of shortening. A dynamic solution does so at 36 to 38 %.
+BOOST_AUTO_TEST_CASE(contraction_that_snaps_through)
+{
+  StaticsSolver::Parameters prm;
+  prm.body.active_strain.form = ActiveStrain::Form::unit_directors;
+  prm.body.active_strain.a1 = prm.body.active_strain.a3 = .6;
+  prm.body.sides[0].fixed                               = {{true, true}};
+  prm.n_steps                                           = 5;
+  geometry::Discretization mesh;
+  mesh.n_elements = {{10, 3}};
+  StaticsSolver solver(
+    prm, geometry::make_bell({}, 0., mesh).patch, MPI_COMM_WORLD);
+  const auto result = solver.run(
+    [](double, std::vector<double> &gamma) { gamma.assign(gamma.size(), 1.); });
+  BOOST_TEST(!result.success);
+  BOOST_TEST(result.level > .55);
+  BOOST_TEST(result.level < .65);
+  BOOST_TEST(result.reason.find("it is about to buckle or to snap through") !=
+               std::string::npos,
+             result.reason);
+  // The state of that level is kept.
+  BOOST_TEST(solver.fields(1., 1.).displacement.r < -.2 * .015);
+}
+
 BOOST_AUTO_TEST_CASE(long_contraction)
 {
   // Converged along the bell, and across the thin layer of muscle.
