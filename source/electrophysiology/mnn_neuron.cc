@@ -13,17 +13,11 @@ namespace ephyra::electrophysiology
   {
     constexpr double mV_per_V = 1e3;
     constexpr double ms_per_s = 1e3;
-
-    /// a^x b^y for a, b > 0. Open probabilities of resting gates are tiny but
-    /// never zero; the floor keeps the logarithm off subnormal numbers.
-    inline double
-    power_product(double a, const double x, double b, const double y)
-    {
-      a = a < 1e-300 ? 1e-300 : a;
-      b = b < 1e-300 ? 1e-300 : b;
-      return vector_math::exp(x * vector_math::log(a) +
-                              y * vector_math::log(b));
-    }
+    /// Range of the table of gates, mV; beyond it gates are computed.
+    constexpr double table_v_min = -150, table_v_max = 150;
+    /// Above this dt/tau the exact solution replaces Runge-Kutta 4, which is
+    /// then 1e-5 off.
+    constexpr double largest_runge_kutta_step = 0.25;
 
     struct Entry
     {
@@ -113,6 +107,12 @@ namespace ephyra::electrophysiology
                                        : patterns::Positive(entry.unit),
                           entry.text);
       }
+    prm.declare_entry("Table interval",
+                      "0.25 mV",
+                      patterns::Double("V", 0., 5e-3),
+                      "Interval of the potential at which steady values and "
+                      "rates of the gates are tabulated (cubic between); 0: "
+                      "computed by exponentials at every point and step.");
   }
 
   void
@@ -121,6 +121,7 @@ namespace ephyra::electrophysiology
     const ParameterHandler::Section section(prm, "Jellyfish neuron");
     for (const Entry &entry : entries)
       this->*entry.member = prm.get_double(entry.name) * entry.inner_per_si;
+    table_interval = prm.get_double("Table interval");
   }
 
   MnnNeuron::MnnNeuron(const Parameters &parameters)
@@ -151,6 +152,14 @@ namespace ephyra::electrophysiology
         (f(middle) > 0 ? low : high) = middle;
       }
     v_rest = 0.5 * (low + high);
+    for (const Gate &gate : prm.gates)
+      fastest_gate = std::max(fastest_gate, 1. / gate.base_time);
+    if (prm.table_interval > 0)
+      table = GateTable(&rates_of_gates,
+                        this,
+                        table_v_min,
+                        table_v_max,
+                        mV_per_V * prm.table_interval);
   }
 
   std::vector<std::string>
@@ -207,11 +216,13 @@ namespace ephyra::electrophysiology
 
     for (int i = 0; i < n_points; ++i)
       {
-        const double u       = mV_per_V * v[i];
-        const double inward  = I * power_product(G_a[i], n_a, G_b[i], n_b);
-        const double outward = FT * power_product(G_c[i], n_c, G_d[i], n_d) +
-                               ST * power_product(G_e[i], n_e, G_f[i], n_f) +
-                               SS * G_g[i];
+        const double u = mV_per_V * v[i];
+        const double inward =
+          I * vector_math::power_product(G_a[i], n_a, G_b[i], n_b);
+        const double outward =
+          FT * vector_math::power_product(G_c[i], n_c, G_d[i], n_d) +
+          ST * vector_math::power_product(G_e[i], n_e, G_f[i], n_f) +
+          SS * G_g[i];
         const double drive = E_syn - u > 0. ? E_syn - u : 0.;
         // mV/ms = V/s; the synapse comes in 1/s.
         f[i] = synapse[i] * drive * (1. / ms_per_s) - inward * (u - E_I) -
@@ -220,13 +231,33 @@ namespace ephyra::electrophysiology
   }
 
   void
-  MnnNeuron::advance_gates(const int n_points,
+  MnnNeuron::rates_of_gates(const void  *model,
+                            const double v,
+                            double      *steady,
+                            double      *rate)
+  {
+    const auto &gates = static_cast<const MnnNeuron *>(model)->prm.gates;
+    for (int k = 0; k < GateTable::n_lanes; ++k)
+      {
+        // What the row has no gate for stands still.
+        steady[k] = rate[k] = 0;
+        if (k >= n_all_gates)
+          continue;
+        const Gate  &gate = gates[k];
+        const double y    = (gate.v_max - v) / gate.sigma;
+        steady[k]         = 1. / (1. + std::exp((gate.v_half - v) / gate.rho));
+        rate[k] = 1. / (gate.base_time + gate.amplitude * std::exp(-y * y));
+      }
+  }
+
+  template <bool exact>
+  void
+  MnnNeuron::compute_gates(const int n_points,
                            const double *__restrict__ v,
-                           const double dt,
+                           const double dt_ms,
                            double *__restrict__ gates,
                            const int stride) const
   {
-    const double dt_ms = ms_per_s * dt;
     for (int k = 0; k < n_all_gates; ++k)
       {
         double *__restrict__ G = gates + k * stride;
@@ -250,8 +281,46 @@ namespace ephyra::electrophysiology
             const double z       = dt_ms * inverse * denominator;
             // Runge-Kutta 4 of dG/dt = (G_inf - G)/tau
             const double growth =
-              z * (1. - z * (1. / 2.) * (1. - z * (1. / 3.) * (1. - z * 0.25)));
+              exact ? 1. - vector_math::exp(-z)
+                    : z * (1. - z * (1. / 2.) *
+                                  (1. - z * (1. / 3.) * (1. - z * 0.25)));
             G[i] += growth * (G_inf - G[i]);
+          }
+      }
+  }
+
+  void
+  MnnNeuron::advance_gates(const int     n_points,
+                           const double *v,
+                           const double  dt,
+                           double       *gates,
+                           const int     stride) const
+  {
+    const double  dt_ms   = ms_per_s * dt;
+    const bool    exact   = dt_ms * fastest_gate > largest_runge_kutta_step;
+    constexpr int n_block = 64;
+    double        keep[n_block * GateTable::n_lanes],
+      add[n_block * GateTable::n_lanes];
+    for (int begin = 0; begin < n_points; begin += n_block)
+      {
+        const int     n   = std::min(n_block, n_points - begin);
+        const double *v_b = v + begin;
+        double       *G_b = gates + begin;
+        if (!table.contains(n, v_b, mV_per_V))
+          {
+            if (exact)
+              compute_gates<true>(n, v_b, dt_ms, G_b, stride);
+            else
+              compute_gates<false>(n, v_b, dt_ms, G_b, stride);
+            continue;
+          }
+        table.coefficients(n, v_b, mV_per_V, dt_ms, exact, keep, add);
+        for (int k = 0; k < n_all_gates; ++k)
+          {
+            double *__restrict__ G = G_b + static_cast<std::size_t>(k) * stride;
+            for (int i = 0; i < n; ++i)
+              G[i] = add[i * GateTable::n_lanes + k] +
+                     keep[i * GateTable::n_lanes + k] * G[i];
           }
       }
   }

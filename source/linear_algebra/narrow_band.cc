@@ -29,21 +29,55 @@ namespace ephyra::linear_algebra
     add_multiply(x, y, factor);
   }
 
+  namespace
+  {
+    /// Rows [first, last) of y += factor A x, all of whose diagonals exist, in
+    /// one pass.
+    template <int width>
+    void
+    add_inner_rows(const double *__restrict__ diagonals,
+                   const int n,
+                   const int first,
+                   const int last,
+                   const double *__restrict__ x,
+                   double *__restrict__ y,
+                   const double factor)
+    {
+      for (int i = first; i < last; ++i)
+        {
+          double sum = 0;
+          for (int k = 0; k <= 2 * width; ++k)
+            sum +=
+              diagonals[static_cast<std::size_t>(k) * n + i] * x[i + k - width];
+          y[i] += factor * sum;
+        }
+    }
+  } // namespace
+
   void
   NarrowBandMatrix::add_multiply(const double *x,
                                  double       *y,
                                  const double  factor) const
   {
-    for (int k = -width; k <= width; ++k)
-      {
-        const double *__restrict__ a =
-          &diagonals[static_cast<std::size_t>(k + width) * n];
-        const double *__restrict__ x_k = x + k;
-        double *__restrict__ y_k       = y;
-        const int end                  = std::min(n, n - k);
-        for (int i = std::max(0, -k); i < end; ++i)
-          y_k[i] += factor * a[i] * x_k[i];
-      }
+    const int  first = std::min(n, width), last = std::max(first, n - width);
+    const bool fixed = width >= 1 && width <= 4;
+    const auto row   = [&](const int i) {
+      double sum = 0;
+      for (int j = std::max(0, i - width); j <= std::min(n - 1, i + width); ++j)
+        sum += (*this)(i, j) * x[j];
+      y[i] += factor * sum;
+    };
+    for (int i = 0; i < (fixed ? first : n); ++i)
+      row(i);
+    if (!fixed)
+      return;
+    const auto inner = width == 1   ? add_inner_rows<1>
+                       : width == 2 ? add_inner_rows<2>
+                       : width == 3 ? add_inner_rows<3>
+                                    : add_inner_rows<4>;
+    inner(diagonals.data(), n, first, last, x, y, factor);
+    for (int i = last; i < n; ++i)
+      row(i);
   }
 
   void

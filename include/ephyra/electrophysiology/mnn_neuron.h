@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ephyra/electrophysiology/gate_table.h"
 #include "ephyra/electrophysiology/ionic_model.h"
 
 #include <array>
@@ -57,6 +58,8 @@ namespace ephyra::electrophysiology
          {3.85, 10.65, 26.43, 1.13, 16.64, -12.71, 43.6},
          {1.15, -10.01, -4.57, 7.66, 2., -34., 20.},
          {1., 48.58, 22.41, 10.43, 4.96, -39.93, 29.88}}};
+      /// Interval of the table of steady values and rates, V; 0: no table.
+      double table_interval = 0.25e-3;
 
       static void
       declare(ParameterHandler &prm);
@@ -108,7 +111,20 @@ namespace ephyra::electrophysiology
     fastest_rate() const override;
 
   private:
+    static void
+    rates_of_gates(const void *model, double v, double *steady, double *rate);
+    /// A step of the gates without the table.
+    template <bool exact>
+    void
+    compute_gates(int           n_points,
+                  const double *v,
+                  double        dt_ms,
+                  double       *gates,
+                  int           stride) const;
+
     Parameters prm;
-    double     v_rest; ///< V
+    double     v_rest;           ///< V
+    double     fastest_gate = 0; ///< 1/ms
+    GateTable  table;
   };
 } // namespace ephyra::electrophysiology

@@ -84,4 +84,65 @@ namespace ephyra::electrophysiology::vector_math
              0.69314718055994530942 +
            2. * s * (1. + p * q);
   }
+
+  /// a^x b^y for a, b > 0 with a relative error below 2e-11 for open
+  /// probabilities and exponents up to 9, which is all that currents need: as
+  /// above with shorter series (s^13, r^10), one division for both logarithms,
+  /// and shifts that AVX2 has. Values below 1e-300 count as 1e-300; a resting
+  /// gate is tiny but never zero.
+  inline double
+  power_product(double a, const double x, double b, const double y)
+  {
+    constexpr std::int64_t sqrt_half_bits = 0x3fe6a09e667f3bcd;
+    constexpr std::int64_t exponent_mask  = ~((std::int64_t(1) << 52) - 1);
+    constexpr std::int64_t bias           = std::int64_t(1024) << 52;
+    constexpr std::int64_t shift_bits     = 0x4338000000000000;
+
+    a = a < 1e-300 ? 1e-300 : a;
+    b = b < 1e-300 ? 1e-300 : b;
+    // (n + 1024) 2^52 in the high bits: never negative.
+    const std::int64_t a_bits = to_bits(a), b_bits = to_bits(b);
+    const std::int64_t a_high = a_bits - sqrt_half_bits + bias,
+                       b_high = b_bits - sqrt_half_bits + bias;
+    const double a_m    = from_bits(a_bits - (a_high & exponent_mask) + bias),
+                 b_m    = from_bits(b_bits - (b_high & exponent_mask) + bias);
+    const auto exponent = [](const std::int64_t high) {
+      const auto n = static_cast<std::uint64_t>(high) >> 52;
+      return from_bits(static_cast<std::int64_t>(n) + shift_bits) -
+             (rounding_shift + 1024.);
+    };
+    const double inverse = 1. / ((a_m + 1.) * (b_m + 1.));
+    const double a_s     = (a_m - 1.) * (b_m + 1.) * inverse,
+                 b_s     = (b_m - 1.) * (a_m + 1.) * inverse;
+    const auto artanh    = [](const double s) {
+      const double q = s * s;
+      double       p = 1. / 13.;
+      p              = p * q + 1. / 11.;
+      p              = p * q + 1. / 9.;
+      p              = p * q + 1. / 7.;
+      p              = p * q + 1. / 5.;
+      p              = p * q + 1. / 3.;
+      return s * (1. + p * q);
+    };
+    // The base-2 logarithm of the result.
+    constexpr double two_per_log_2 = 2.8853900817779268147;
+    const double     w = x * (exponent(a_high) + two_per_log_2 * artanh(a_s)) +
+                     y * (exponent(b_high) + two_per_log_2 * artanh(b_s));
+    const double clipped = w < -1000. ? -1000. : w;
+    const double shifted = clipped + rounding_shift;
+    const double r =
+      (clipped - (shifted - rounding_shift)) * 0x1.62e42fefa39efp-1;
+    double p = 1. / 3628800.;
+    p        = p * r + 1. / 362880.;
+    p        = p * r + 1. / 40320.;
+    p        = p * r + 1. / 5040.;
+    p        = p * r + 1. / 720.;
+    p        = p * r + 1. / 120.;
+    p        = p * r + 1. / 24.;
+    p        = p * r + 1. / 6.;
+    p        = p * r + 0.5;
+    p        = p * r + 1.;
+    p        = p * r + 1.;
+    return p * from_bits((to_bits(shifted) + 1023) << 52);
+  }
 } // namespace ephyra::electrophysiology::vector_math
