@@ -35,8 +35,22 @@ namespace ephyra::electrophysiology
     prm.declare_entry("Resting rate",
                       "0.1 V/s",
                       patterns::Positive("V/s"),
-                      "The tissue rests where the potential has changed more "
-                      "slowly than this everywhere for 1 ms.");
+                      "Where the potential changes more slowly than this "
+                      "everywhere, the resting time step is taken; before, "
+                      "the longest of twice, four times ... the time step in "
+                      "which it changes by less than resting rate times "
+                      "resting time step.");
+    prm.declare_entry("Resting gates",
+                      "0.05",
+                      patterns::Double("", 0., 1.),
+                      "Largest distance of any gate from its steady value for "
+                      "which steps grow.");
+    prm.declare_entry("Sleep tolerance",
+                      "1 uV",
+                      patterns::Double("V", 0., 1e-3),
+                      "Blocks of 32 points whose potential is as close as this "
+                      "to the resting potential, with gates and synapses at "
+                      "rest accordingly, are not computed. 0: all are.");
     prm.declare_entry(
       "Placement",
       "Greville points",
@@ -97,6 +111,8 @@ namespace ephyra::electrophysiology
     time_step               = prm.get_double("Time step");
     resting_time_step       = prm.get_double("Resting time step");
     resting_rate            = prm.get_double("Resting rate");
+    resting_gates           = prm.get_double("Resting gates");
+    sleep_tolerance         = prm.get_double("Sleep tolerance");
     const std::string place = prm.get("Placement");
     placement          = place == "Greville points" ? Placement::greville_points
                          : place == "quadrature points"

@@ -93,6 +93,7 @@ namespace ephyra::electrophysiology
     old_points_v.assign(n_state, rest);
     middle_v.assign(n_state, rest);
     no_synapses.assign(n_state, 0.);
+    awake = AwakeRanges(nullptr, n_state, 0.);
     point_values.assign(n_state, 0.);
     if (model)
       {
@@ -100,6 +101,8 @@ namespace ephyra::electrophysiology
         model->steady_gates(rest, steady.data());
         for (const double gate : steady)
           gates.insert(gates.end(), n_state, gate);
+        if (model->has_synapses() && n > 1)
+          awake = AwakeRanges(model.get(), n_state, prm.sleep_tolerance);
         if (model->has_synapses())
           synapses.emplace(
             prm.synapses, prm.neuron.capacitance * 1e-12, n_state);
@@ -188,10 +191,23 @@ namespace ephyra::electrophysiology
       }
     if (reaction)
       reaction->to_points(v.data(), points_v.data());
+    update_awake();
     evaluate_load(load);
   }
 
   // --- one step --------------------------------------------------------------
+
+  const double *
+  ElectrophysiologySolver::synaptic_conductance() const
+  {
+    return synapses ? synapses->conductance() : no_synapses.data();
+  }
+
+  void
+  ElectrophysiologySolver::update_awake()
+  {
+    awake.update(points_v.data(), gates.data(), synaptic_conductance());
+  }
 
   void
   ElectrophysiologySolver::evaluate_load(std::vector<double> &result)
@@ -199,7 +215,8 @@ namespace ephyra::electrophysiology
     if (reaction)
       reaction->load({points_v.data(),
                       gates.data(),
-                      synapses ? synapses->conductance() : no_synapses.data()},
+                      synaptic_conductance(),
+                      &awake.ranges()},
                      result.data());
   }
 
@@ -222,17 +239,6 @@ namespace ephyra::electrophysiology
       return;
     std::swap(points_v, old_points_v);
     reaction->to_points(v.data(), points_v.data());
-    if (model->n_gates() > 0)
-      {
-        const bool at_end = prm.gate_potential == GatePotential::end;
-        for (std::size_t i = 0; i < points_v.size(); ++i)
-          middle_v[i] = 0.5 * (points_v[i] + old_points_v[i]);
-        model->advance_gates(n_points(),
-                             at_end ? points_v.data() : middle_v.data(),
-                             dt,
-                             gates.data(),
-                             n_points());
-      }
     if (synapses)
       {
         synapses->advance(t, dt, old_points_v.data(), points_v.data());
@@ -240,6 +246,22 @@ namespace ephyra::electrophysiology
         for (auto time = epscs[0]; time != epscs[1]; ++time)
           for (const int point : stimulated_points)
             synapses->add_epsc(point, *time, t + dt);
+      }
+    update_awake();
+    if (model->n_gates() == 0)
+      return;
+    const bool    at_end   = prm.gate_potential == GatePotential::end;
+    const double *gate_v   = at_end ? points_v.data() : middle_v.data();
+    const int     n_points = reaction->n_points();
+    for (const AwakeRanges::Range &range : awake.ranges())
+      {
+        for (int i = range[0]; i < range[1]; ++i)
+          middle_v[i] = 0.5 * (points_v[i] + old_points_v[i]);
+        model->advance_gates(range[1] - range[0],
+                             gate_v + range[0],
+                             dt,
+                             gates.data() + range[0],
+                             n_points);
       }
   }
 
@@ -290,13 +312,74 @@ namespace ephyra::electrophysiology
     evaluate_load(load);
     previous_dt = dt;
     ++substeps;
+    awake_points += awake.n_awake();
     if (may_rest)
+      adapt_step(dt);
+  }
+
+  double
+  ElectrophysiologySolver::largest_step() const
+  {
+    return may_rest ? std::min(prm.resting_time_step,
+                               std::ldexp(prm.time_step,
+                                          static_cast<int>(step_doublings)))
+                    : prm.time_step;
+  }
+
+  bool
+  ElectrophysiologySolver::resting() const
+  {
+    return may_rest && largest_step() >= prm.resting_time_step;
+  }
+
+  void
+  ElectrophysiologySolver::wake()
+  {
+    step_doublings = 0;
+    calm_time      = 0;
+  }
+
+  void
+  ElectrophysiologySolver::adapt_step(const double dt)
+  {
+    double largest = 0;
+    for (const double x : increment)
+      largest = std::max(largest, std::abs(x));
+    // A step may change the potential by this.
+    const double allowed = prm.resting_rate * prm.resting_time_step;
+    const double rate    = largest / dt;
+    if (rate * largest_step() > allowed)
       {
-        double largest = 0;
-        for (const double x : increment)
-          largest = std::max(largest, std::abs(x));
-        quiet_time = largest < dt * prm.resting_rate ? quiet_time + dt : 0.;
+        while (step_doublings > 0 && rate * largest_step() > allowed)
+          --step_doublings;
+        calm_time = 0;
+        return;
       }
+    calm_time += dt;
+    if (resting() || calm_time < calm_time_needed ||
+        2 * rate * largest_step() > allowed)
+      return;
+    calm_time = 0;
+    if (distance_of_gates() <= prm.resting_gates)
+      ++step_doublings;
+  }
+
+  double
+  ElectrophysiologySolver::distance_of_gates() const
+  {
+    double              distance = 0;
+    std::vector<double> steady(model->n_gates());
+    const int           n = n_points();
+    for (const AwakeRanges::Range &range : awake.ranges())
+      for (int i = range[0]; i < range[1]; ++i)
+        {
+          model->steady_gates(points_v[i], steady.data());
+          for (int k = 0; k < model->n_gates(); ++k)
+            distance = std::max(
+              distance,
+              std::abs(gates[static_cast<std::size_t>(k) * n + i] - steady[k]));
+        }
+    return distance;
   }
 
   StepStatus
@@ -304,35 +387,45 @@ namespace ephyra::electrophysiology
   {
     const double t_end = t + dt;
     const double tiny  = 1e-6 * std::min(dt, prm.time_step);
-    double       now   = t;
+    double       now   = t - behind;
     while (t_end - now > tiny)
       {
         if (std::min(stimulus.next_event(now - tiny),
                      diffusion.next_event(now - tiny)) <= now + tiny)
-          quiet_time = 0; // awake where something begins
-        const bool was_resting = resting();
-        double     limit = std::min(t_end, diffusion.next_event(now + tiny));
-        if (was_resting)
+          wake(); // where something begins
+        const double largest = largest_step();
+        double       limit = std::min(t_end, diffusion.next_event(now + tiny));
+        if (step_doublings > 0)
           limit = std::min(limit, stimulus.next_event(now + tiny));
-        const double largest =
-          was_resting ? prm.resting_time_step : prm.time_step;
+        // At rest whole steps alone, so that short steps of the scene do not
+        // make short ones here; what is left waits for the next call.
+        const bool   waits   = resting() && limit >= t_end;
+        const double n_whole = (limit - now) / largest;
+        if (waits && n_whole < 1 - 1e-6)
+          break;
         const double begin   = now;
-        const auto   n_steps = std::max<std::int64_t>(
-          1, std::lround(std::ceil((limit - begin) / largest - 1e-6)));
-        const double h = (limit - begin) / static_cast<double>(n_steps);
+        const auto   n_steps = static_cast<std::int64_t>(
+          waits ? std::floor(n_whole + 1e-6)
+                  : std::max(1., std::ceil(n_whole - 1e-6)));
+        const double h =
+          waits ? largest : (limit - begin) / static_cast<double>(n_steps);
         for (std::int64_t i = 0; i < n_steps; ++i)
           {
             substep(now, h);
-            now =
-              i + 1 < n_steps ? begin + static_cast<double>(i + 1) * h : limit;
+            now = waits || i + 1 < n_steps
+                    ? begin + static_cast<double>(i + 1) * h
+                    : limit;
             if (substeps % 64 == 0 && blown_up())
               return StepStatus::failure(failure_reason(now, h));
-            if (resting() != was_resting)
+            if (largest_step() != largest)
               break;
           }
         if (blown_up())
           return StepStatus::failure(failure_reason(now, h));
       }
+    behind = std::max(0., t_end - now);
+    if (behind <= tiny)
+      behind = 0;
     synchronize();
     return StepStatus();
   }
@@ -441,7 +534,10 @@ namespace ephyra::electrophysiology
     archive.values("load", load);
     archive.values("previous load", previous_load);
     archive.value("previous step", previous_dt);
-    archive.value("quiet time", quiet_time);
+    archive.value("calm time", calm_time);
+    archive.value("step doublings", step_doublings);
+    archive.value("behind", behind);
+    archive.value("awake points", awake_points);
     archive.value("EPSCs given until", epscs_given_until);
     archive.value("substeps", substeps);
     if (synapses)

@@ -8,6 +8,29 @@ namespace ephyra::electrophysiology
   {
     using linear_algebra::NarrowBandSolver;
 
+    /// f in the ranges that are awake, zero elsewhere.
+    void
+    rate_in_ranges(const IonicModel    &model,
+                   const int            n_points,
+                   const PointState    &state,
+                   std::vector<double> &f)
+    {
+      int done = 0;
+      for (const AwakeRanges::Range &range : *state.awake)
+        {
+          const int begin = range[0];
+          std::fill(f.begin() + done, f.begin() + begin, 0.);
+          model.rate(range[1] - begin,
+                     state.v + begin,
+                     state.gates + begin,
+                     n_points,
+                     state.synapse + begin,
+                     &f[begin]);
+          done = range[1];
+        }
+      std::fill(f.begin() + done, f.end(), 0.);
+    }
+
     class AtControlCoefficients : public Reaction
     {
     public:
@@ -100,12 +123,7 @@ namespace ephyra::electrophysiology
       void
       load(const PointState &state, double *load) override
       {
-        model.rate(n_points(),
-                   state.v,
-                   state.gates,
-                   n_points(),
-                   state.synapse,
-                   f.data());
+        rate_in_ranges(model, n_points(), state, f);
         collocation.solve(f.data());
         monodomain.consistent_mass().multiply(f.data(), load);
       }
@@ -164,8 +182,7 @@ namespace ephyra::electrophysiology
       void
       load(const PointState &state, double *load) override
       {
-        model.rate(
-          n_gauss, state.v, state.gates, n_gauss, state.synapse, f.data());
+        rate_in_ranges(model, n_gauss, state, f);
         monodomain.integrate(f.data(), load);
       }
       void

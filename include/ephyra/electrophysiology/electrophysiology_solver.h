@@ -66,10 +66,16 @@ namespace ephyra::electrophysiology
       double time_step    = 5e-6;      ///< largest substep Delta t_e, s
       /// Substep while neurons rest, s; 0: always the time step.
       double resting_time_step = 0.25e-3;
-      /// What counts as rest: max |dv/dt| for 1 ms, V/s.
-      double                   resting_rate   = 0.1;
-      Placement                placement      = Placement::greville_points;
-      GatePotential            gate_potential = GatePotential::midpoint;
+      /// max |dv/dt| for the resting step, V/s; between, a step may change
+      /// the potential by resting_rate * resting_time_step.
+      double resting_rate = 0.1;
+      /// Largest distance of a gate from its steady value for longer steps.
+      double resting_gates = 0.05;
+      /// Distance from the resting potential within which blocks of points
+      /// are not computed, V; 0: all are.
+      double                   sleep_tolerance = 1e-6;
+      Placement                placement       = Placement::greville_points;
+      GatePotential            gate_potential  = GatePotential::midpoint;
       MonodomainOperator::Mass mass = MonodomainOperator::Mass::consistent;
       DiffusionStepper::LinearSolver linear_solver =
         DiffusionStepper::LinearSolver::narrow_band;
@@ -118,7 +124,9 @@ namespace ephyra::electrophysiology
                         const std::vector<double> &r);
 
     // --- time ---------------------------------------------------------------
-    /// From t to t + dt in substeps of equal size up to the parameter.
+    /// From t to t + dt in substeps up to the parameter, or longer ones where
+    /// little happens. At rest the state may stay behind t + dt by less than
+    /// the resting time step; an event is always met exactly.
     StepStatus
     advance(double t, double dt);
     std::int64_t
@@ -126,10 +134,17 @@ namespace ephyra::electrophysiology
     {
       return substeps;
     }
+    /// Steps have grown to the resting time step.
     bool
-    resting() const
+    resting() const;
+    /// Mean share of the points that were computed in a substep.
+    double
+    awake_share() const
     {
-      return quiet_time >= quiet_time_needed;
+      return substeps > 0 && n_points() > 0
+               ? static_cast<double>(awake_points) /
+                   (static_cast<double>(substeps) * n_points())
+               : 1.;
     }
 
     // --- state --------------------------------------------------------------
@@ -233,6 +248,21 @@ namespace ephyra::electrophysiology
     /// mean of now and of a predicted end.
     void
     predict_load(double t, double dt);
+    const double *
+    synaptic_conductance() const;
+    void
+    update_awake();
+    double
+    largest_step() const;
+    /// Back to the time step of a pulse.
+    void
+    wake();
+    /// Doubles or halves the step by how fast the potential changed in the
+    /// last one and by how far gates are from their steady values.
+    void
+    adapt_step(double dt);
+    double
+    distance_of_gates() const;
     bool
     blown_up() const;
     std::string
@@ -265,16 +295,20 @@ namespace ephyra::electrophysiology
     std::vector<double> load;          ///< of the reaction, now
     std::vector<double> previous_load; ///< one step ago
     double              previous_dt       = 0; ///< 0: no step yet
-    double              quiet_time        = 0;
+    std::int64_t        step_doublings    = 0; ///< of the time step
+    double              calm_time         = 0; ///< since the last change of it
+    double              behind            = 0; ///< s not yet computed, at rest
     double              epscs_given_until = -1;
     std::int64_t        substeps          = 0;
+    std::int64_t        awake_points      = 0; ///< summed over the substeps
 
     // Work space.
     std::vector<double> increment, total_load, old_v, points_v, old_points_v,
       middle_v, gates_backup, combined_load, no_synapses;
     std::optional<Synapses>     synapses_backup;
     mutable std::vector<double> point_values;
+    AwakeRanges                 awake{nullptr, 0, 0.};
 
-    static constexpr double quiet_time_needed = 1e-3; ///< s
+    static constexpr double calm_time_needed = 0.5e-3; ///< for a doubling, s
   };
 } // namespace ephyra::electrophysiology

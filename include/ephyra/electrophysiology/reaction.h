@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ephyra/electrophysiology/awake_ranges.h"
 #include "ephyra/electrophysiology/ionic_model.h"
 #include "ephyra/electrophysiology/monodomain_operator.h"
 
@@ -31,6 +32,8 @@ namespace ephyra::electrophysiology
     const double *v;
     const double *gates;
     const double *synapse; ///< conductance over capacitance, 1/s
+    /// Where f is not zero.
+    const std::vector<AwakeRanges::Range> *awake;
   };
 
   /// Evaluates the reaction part of the monodomain equation in one placement.
