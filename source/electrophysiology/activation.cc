@@ -45,9 +45,14 @@ namespace ephyra::electrophysiology
                       "Time for which G_a exceeds its threshold; used to fit "
                       "replays to the pacing.");
     prm.declare_entry("Sample interval",
-                      "0.05 ms",
+                      "0.1 ms",
                       patterns::Positive("s"),
                       "Interval at which G_a is kept.");
+    prm.declare_entry("Clip",
+                      "false",
+                      patterns::Bool(),
+                      "Whether the activation is cut at one. G_a peaks higher "
+                      "than in the tissue where the wave starts or ends.");
   }
 
   void
@@ -63,6 +68,7 @@ namespace ephyra::electrophysiology
     fit_to_pacing   = prm.get_bool("Fit to pacing");
     spike_duration  = prm.get_double("Spike duration");
     sample_interval = prm.get_double("Sample interval");
+    clip            = prm.get_bool("Clip");
     if (threshold >= peak)
       prm.add_error("Threshold", "it must be below the peak");
   }
@@ -89,6 +95,16 @@ namespace ephyra::electrophysiology
     std::copy(gate, gate + previous.size(), previous.begin());
   }
 
+  double
+  Activation::sample_time(const std::size_t k) const
+  {
+    const double fine =
+      static_cast<double>(std::min<std::size_t>(k, n_fine)) / refinement;
+    return prm.sample_interval *
+           (fine + static_cast<double>(std::max<std::size_t>(k, n_fine)) -
+            n_fine);
+  }
+
   void
   Activation::begin_replay(PointHistory &history, const double start) const
   {
@@ -96,9 +112,8 @@ namespace ephyra::electrophysiology
     // All but one that is being recorded may have ended.
     const auto ended =
       std::find_if(replays.begin(), replays.end(), [&](const Replay &replay) {
-        const double duration =
-          prm.sample_interval * static_cast<double>(replay.samples.size());
-        return start > replay.start + duration / replay_speed;
+        return start >
+               replay.start + sample_time(replay.samples.size()) / replay_speed;
       });
     if (ended != replays.end())
       std::rotate(ended, ended + 1, replays.end());
@@ -106,7 +121,7 @@ namespace ephyra::electrophysiology
       {
         replays.emplace_back();
         replays.back().samples.reserve(static_cast<std::size_t>(
-          1.5 * prm.spike_duration / prm.sample_interval));
+          n_fine + 1.1 * prm.spike_duration / prm.sample_interval));
       }
     replays.back().start = start;
     replays.back().samples.clear();
@@ -114,65 +129,93 @@ namespace ephyra::electrophysiology
   }
 
   void
-  Activation::record(const double t, const double dt, const double *gate)
+  Activation::record_point(const int    point,
+                           const double t,
+                           const double dt,
+                           const double before,
+                           const double now)
   {
-    for (std::size_t i = 0; i < points.size(); ++i)
+    Replay &replay = points[point].replays.back();
+    for (;;)
       {
-        const double  before  = previous[i];
-        const double  now     = gate[i];
-        PointHistory &history = points[i];
-        previous[i]           = now;
-        if (before < prm.threshold && now >= prm.threshold)
-          begin_replay(history,
-                       t + dt * (prm.threshold - before) / (now - before));
-        if (!history.recording)
-          continue;
-        Replay &replay = history.replays.back();
-        for (;;)
-          {
-            const double time =
-              replay.start +
-              prm.sample_interval * static_cast<double>(replay.samples.size());
-            if (time > t + dt)
-              break;
-            replay.samples.push_back(before + (now - before) * (time - t) / dt);
-          }
-        // One sample below the level is kept for the interpolation.
-        if (now < closing_level && replay.samples.back() < closing_level)
-          history.recording = false;
+        const double time = replay.start + sample_time(replay.samples.size());
+        if (time > t + dt)
+          break;
+        replay.samples.push_back(
+          static_cast<float>(before + (now - before) * (time - t) / dt));
       }
+    // One sample below the level is kept for the interpolation.
+    if (now < closing_level && replay.samples.back() < closing_level)
+      points[point].recording = false;
+  }
+
+  void
+  Activation::record(const double t,
+                     const double dt,
+                     const double *__restrict__ gate)
+  {
+    const int n                       = n_points();
+    const double *__restrict__ before = previous.data();
+    int n_started                     = 0;
+    for (int i = 0; i < n; ++i)
+      n_started += (before[i] < prm.threshold) & (gate[i] >= prm.threshold);
+    for (int i = 0; n_started > 0 && i < n; ++i)
+      if (before[i] < prm.threshold && gate[i] >= prm.threshold)
+        {
+          if (!points[i].recording)
+            recording.push_back(i);
+          begin_replay(points[i],
+                       t + dt * (prm.threshold - before[i]) /
+                             (gate[i] - before[i]));
+        }
+    for (const int i : recording)
+      record_point(i, t, dt, before[i], gate[i]);
+    recording.erase(
+      std::remove_if(recording.begin(),
+                     recording.end(),
+                     [&](const int i) { return !points[i].recording; }),
+      recording.end());
+    std::copy(gate, gate + n, previous.begin());
   }
 
   double
   Activation::value(const Replay &replay, const double t) const
   {
-    const int    n = static_cast<int>(replay.samples.size());
-    const double x = (t - replay.start) * replay_speed / prm.sample_interval;
-    if (x < 0 || x > n - 1 + 1e-9)
+    // Place in the denser samples or in those after them.
+    const int all = static_cast<int>(replay.samples.size());
+    double    x   = (t - replay.start) * replay_speed / prm.sample_interval;
+    if (x < 0)
+      return 0;
+    constexpr double fine_end = static_cast<double>(n_fine) / refinement;
+    const bool       is_fine  = x < fine_end || all <= n_fine + 1;
+    x                         = is_fine ? x * refinement : x - fine_end;
+    const int    n       = is_fine ? std::min(all, n_fine + 1) : all - n_fine;
+    const float *samples = replay.samples.data() + (is_fine ? 0 : n_fine);
+    if (x > n - 1 + 1e-9)
       return 0;
     double gate;
     if (n < 4)
       {
         const int    j = std::min(static_cast<int>(x), std::max(n - 2, 0));
         const double s = x - j;
-        gate           = n == 1 ? replay.samples[0]
-                                : (1 - s) * replay.samples[j] + s * replay.samples[j + 1];
+        gate = n == 1 ? samples[0] : (1 - s) * samples[j] + s * samples[j + 1];
       }
     else
       {
         // Lagrange's cubic through four samples around x.
-        const int     j = std::clamp(static_cast<int>(x) - 1, 0, n - 4);
-        const double *G = &replay.samples[j];
-        const double  s = x - j;
-        gate            = -G[0] * (s - 1) * (s - 2) * (s - 3) / 6. +
+        const int    j = std::clamp(static_cast<int>(x) - 1, 0, n - 4);
+        const float *G = samples + j;
+        const double s = x - j;
+        gate           = -G[0] * (s - 1) * (s - 2) * (s - 3) / 6. +
                G[1] * s * (s - 2) * (s - 3) / 2. -
                G[2] * s * (s - 1) * (s - 3) / 2. +
                G[3] * s * (s - 1) * (s - 2) / 6.;
       }
-    return prm.start == Start::literal
-             ? gate / prm.peak
-             : std::max(0.,
-                        (gate - prm.threshold) / (prm.peak - prm.threshold));
+    const double gamma =
+      prm.start == Start::literal
+        ? gate / prm.peak
+        : std::max(0., (gate - prm.threshold) / (prm.peak - prm.threshold));
+    return prm.clip ? std::min(gamma, 1.) : gamma;
   }
 
   double
@@ -233,10 +276,13 @@ namespace ephyra::electrophysiology
     archive.values("replays", packed);
     if (archive.reading())
       {
+        recording.clear();
         auto next = packed.cbegin();
         for (PointHistory &history : points)
           {
             history.recording = *next++ != 0;
+            if (history.recording)
+              recording.push_back(static_cast<int>(&history - &points[0]));
             history.replays.resize(static_cast<std::size_t>(*next++));
             for (Replay &replay : history.replays)
               {

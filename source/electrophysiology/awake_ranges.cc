@@ -7,10 +7,10 @@ namespace ephyra::electrophysiology
 {
   namespace
   {
-    // What one volt off the resting potential means for gates and synapses:
-    // about its share in the steady gates (1/V), and the conductance (1/s per
-    // V) whose current equals that of the leakage.
-    constexpr double gate_per_volt    = 10.;
+    // What one volt off the resting potential means for gates (1/V) and
+    // synapses: the conductance (1/s per V) whose current equals that of the
+    // leakage.
+    constexpr double gate_per_volt    = 1.;
     constexpr double synapse_per_volt = 1e4;
 
     double
@@ -35,8 +35,17 @@ namespace ephyra::electrophysiology
     , resting_gates(model ? model->n_gates() : 0)
     , awake{{{0, n_points}}}
   {
-    if (model)
-      model->steady_gates(rest, resting_gates.data());
+    if (!model)
+      return;
+    model->steady_gates(rest, resting_gates.data());
+    constexpr double    h    = 1e-5;
+    const double        v[2] = {rest - h, rest + h}, no_synapse[2] = {0., 0.};
+    double              f[2];
+    std::vector<double> gates;
+    for (const double gate : resting_gates)
+      gates.insert(gates.end(), 2, gate);
+    model->rate(2, v, gates.data(), 2, no_synapse, f);
+    resting_slope = (f[1] - f[0]) / (2 * h);
   }
 
   bool

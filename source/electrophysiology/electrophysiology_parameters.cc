@@ -28,7 +28,7 @@ namespace ephyra::electrophysiology
                       "jellyfish neuron are stable up to about 55 us; 20 us "
                       "make the wave 0.35 % too slow, 5 us 0.02 %.");
     prm.declare_entry("Resting time step",
-                      "0.25 ms",
+                      "0.5 ms",
                       patterns::Double("s", 0.),
                       "Substep while jellyfish neurons rest; the next "
                       "stimulus is met exactly. 0: always the time step.");
@@ -46,7 +46,7 @@ namespace ephyra::electrophysiology
                       "Largest distance of any gate from its steady value for "
                       "which steps grow.");
     prm.declare_entry("Sleep tolerance",
-                      "1 uV",
+                      "0.1 uV",
                       patterns::Double("V", 0., 1e-3),
                       "Blocks of 32 points whose potential is as close as this "
                       "to the resting potential, with gates and synapses at "

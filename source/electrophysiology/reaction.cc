@@ -8,18 +8,22 @@ namespace ephyra::electrophysiology
   {
     using linear_algebra::NarrowBandSolver;
 
-    /// f in the ranges that are awake, zero elsewhere.
+    /// f of the model in the ranges that are awake, that of sleep elsewhere.
     void
     rate_in_ranges(const IonicModel    &model,
                    const int            n_points,
                    const PointState    &state,
                    std::vector<double> &f)
     {
-      int done = 0;
-      for (const AwakeRanges::Range &range : *state.awake)
+      int        done   = 0;
+      const auto asleep = [&](const int end) {
+        for (int i = done; i < end; ++i)
+          f[i] = state.awake->rate_asleep(state.v[i]);
+      };
+      for (const AwakeRanges::Range &range : state.awake->ranges())
         {
           const int begin = range[0];
-          std::fill(f.begin() + done, f.begin() + begin, 0.);
+          asleep(begin);
           model.rate(range[1] - begin,
                      state.v + begin,
                      state.gates + begin,
@@ -28,7 +32,7 @@ namespace ephyra::electrophysiology
                      &f[begin]);
           done = range[1];
         }
-      std::fill(f.begin() + done, f.end(), 0.);
+      asleep(n_points);
     }
 
     class AtControlCoefficients : public Reaction

@@ -127,16 +127,21 @@ namespace ephyra::simulation
   TissueModel::add_results(Record &record) const
   {
     record.add("nerve net unknowns [-]", solver->n_control_points());
+    record.add("substeps [-]", static_cast<double>(solver->n_substeps()));
+    record.add("awake share of points [-]", solver->awake_share());
+    record.add("factorisations [-]",
+               static_cast<double>(solver->n_factorizations()));
     if (motion && motion->moves())
       record.add("metric updates [-]", static_cast<double>(metric_updates));
     for (std::size_t p = 0; p < crossing_probes.size(); ++p)
       {
-        const auto &times = solver->crossing_times(crossing_probes[p]);
-        if (times.empty())
-          continue;
-        std::ostringstream name;
-        name << "first crossing at theta1 = " << probe_points[p] << " [s]";
-        record.add(name.str(), times.front());
+        const auto        &times = solver->crossing_times(crossing_probes[p]);
+        std::ostringstream place;
+        place << " at theta1 = " << probe_points[p];
+        record.add("crossings" + place.str() + " [-]",
+                   static_cast<double>(times.size()));
+        if (!times.empty())
+          record.add("first crossing" + place.str() + " [s]", times.front());
       }
     if (crossing_probes.size() < 2 || !line)
       return;

@@ -10,8 +10,9 @@ namespace ephyra::electrophysiology
   /// Which points of a line have to be computed. A block of points sleeps while
   /// everything in it is at rest: potentials within a tolerance of the resting
   /// potential, gates and synapses within what the tolerance means for them.
-  /// Its gates then stand still and its ionic currents are zero; diffusion goes
-  /// on and wakes it. The state alone decides, so that nothing is to be saved.
+  /// Its gates then stand still, its ionic current is linear in the distance
+  /// from rest, so that the potential goes on towards it, and diffusion wakes
+  /// it. The state alone decides, so that nothing is to be saved.
   class AwakeRanges
   {
   public:
@@ -30,6 +31,12 @@ namespace ephyra::electrophysiology
     }
     int
     n_awake() const;
+    /// f of a sleeping point, V/s.
+    double
+    rate_asleep(const double v) const
+    {
+      return resting_slope * (v - rest);
+    }
 
   private:
     bool
@@ -43,6 +50,7 @@ namespace ephyra::electrophysiology
     int                 n;
     double              tolerance;
     double              rest;
+    double              resting_slope = 0; ///< df/dv at rest, 1/s
     std::vector<double> resting_gates;
     std::vector<Range>  awake;
   };

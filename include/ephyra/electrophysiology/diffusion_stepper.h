@@ -56,6 +56,11 @@ namespace ephyra::electrophysiology
     /// To be called when the matrices of the operator have changed.
     void
     matrices_changed();
+    std::int64_t
+    n_factorizations() const
+    {
+      return factorizations;
+    }
     /// First start or end of holding later than t, s.
     double
     next_event(double t) const;
@@ -82,10 +87,11 @@ namespace ephyra::electrophysiology
     std::vector<double>                           right_hand_side;
     /// A^{-1} (e_0 - e_{n-1}) of a closed line.
     std::vector<double> seam;
-    double              factorized_dt = 0; ///< 0: none
-    bool                start_held    = false;
-    bool                end_held      = false;
-    std::int64_t        damped_steps  = 0; ///< still to come
+    std::int64_t        factorizations = 0;
+    double              factorized_dt  = 0; ///< 0: none
+    bool                start_held     = false;
+    bool                end_held       = false;
+    std::int64_t        damped_steps   = 0; ///< still to come
     std::vector<double> part_v, part_increment;
 
     static constexpr int damped_steps_after_jump = 2;

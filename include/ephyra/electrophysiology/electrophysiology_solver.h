@@ -65,7 +65,7 @@ namespace ephyra::electrophysiology
       double capacitance  = 1e-3;      ///< C_m per volume, F/m^3
       double time_step    = 5e-6;      ///< largest substep Delta t_e, s
       /// Substep while neurons rest, s; 0: always the time step.
-      double resting_time_step = 0.25e-3;
+      double resting_time_step = 0.5e-3;
       /// max |dv/dt| for the resting step, V/s; between, a step may change
       /// the potential by resting_rate * resting_time_step.
       double resting_rate = 0.1;
@@ -73,7 +73,7 @@ namespace ephyra::electrophysiology
       double resting_gates = 0.05;
       /// Distance from the resting potential within which blocks of points
       /// are not computed, V; 0: all are.
-      double                   sleep_tolerance = 1e-6;
+      double                   sleep_tolerance = 1e-7;
       Placement                placement       = Placement::greville_points;
       GatePotential            gate_potential  = GatePotential::midpoint;
       MonodomainOperator::Mass mass = MonodomainOperator::Mass::consistent;
@@ -137,6 +137,12 @@ namespace ephyra::electrophysiology
     /// Steps have grown to the resting time step.
     bool
     resting() const;
+    /// Of the matrix of a substep, since the construction.
+    std::int64_t
+    n_factorizations() const
+    {
+      return diffusion.n_factorizations();
+    }
     /// Mean share of the points that were computed in a substep.
     double
     awake_share() const

@@ -29,11 +29,10 @@ namespace ephyra::electrophysiology
   /// it; arrays of n_points values (gates: one array after another).
   struct PointState
   {
-    const double *v;
-    const double *gates;
-    const double *synapse; ///< conductance over capacitance, 1/s
-    /// Where f is not zero.
-    const std::vector<AwakeRanges::Range> *awake;
+    const double      *v;
+    const double      *gates;
+    const double      *synapse; ///< conductance over capacitance, 1/s
+    const AwakeRanges *awake;
   };
 
   /// Evaluates the reaction part of the monodomain equation in one placement.

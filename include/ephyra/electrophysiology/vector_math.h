@@ -143,6 +143,7 @@ namespace ephyra::electrophysiology::vector_math
     p        = p * r + 0.5;
     p        = p * r + 1.;
     p        = p * r + 1.;
-    return p * from_bits((to_bits(shifted) + 1023) << 52);
+    // The last term hands on what is not a number.
+    return p * from_bits((to_bits(shifted) + 1023) << 52) + 0. * (a * b);
   }
 } // namespace ephyra::electrophysiology::vector_math

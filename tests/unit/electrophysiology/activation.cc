@@ -98,6 +98,19 @@ BOOST_AUTO_TEST_CASE(a_second_spike_does_not_drop_the_activation)
   BOOST_TEST(newest.value(0, restart + 1e-6) < 1e-3);
 }
 
+BOOST_AUTO_TEST_CASE(a_clipped_activation_stays_at_one)
+{
+  Activation::Parameters prm;
+  prm.peak                 = 0.8; // the spike has 0.902
+  const Activation free    = recorded(prm, 1e9, 20e-3);
+  prm.clip                 = true;
+  const Activation clipped = recorded(prm, 1e9, 20e-3);
+  const double     top     = free.last_start(0) + 140 * 5.7e-3;
+  BOOST_TEST(free.value(0, top) > 1.1);
+  BOOST_TEST(clipped.value(0, top) == 1.);
+  BOOST_TEST(clipped.value(0, 0.3) == free.value(0, 0.3));
+}
+
 BOOST_AUTO_TEST_CASE(fitted_replays_end_when_the_next_begins)
 {
   Activation::Parameters prm;

@@ -102,29 +102,41 @@ BOOST_AUTO_TEST_CASE(unexcited_tissue_stays_at_rest_in_few_steps)
   BOOST_TEST(solver.n_substeps() < 1000);
 }
 
-BOOST_AUTO_TEST_CASE(resting_steps_change_neither_arrival_nor_activation)
+BOOST_AUTO_TEST_CASE(sleep_changes_neither_arrival_nor_activation)
 {
+  // Two pulses, 0.25 s apart. The scene's own steps differ too.
   Parameters prm         = excited();
   prm.stimulus.frequency = 4;
   ElectrophysiologySolver sleeping(prm, cable(), MPI_COMM_WORLD);
-  prm.resting_time_step = 0;
+  ElectrophysiologySolver short_steps(prm, cable(), MPI_COMM_WORLD);
+  prm.resting_time_step     = 0;
+  prm.sleep_tolerance       = 0;
+  prm.neuron.table_interval = 0;
   ElectrophysiologySolver awake(prm, cable(), MPI_COMM_WORLD);
-  for (ElectrophysiologySolver *solver : {&sleeping, &awake})
-    {
-      solver->add_crossing_probe(0.8, 0.);
-      run(*solver, 0, 0.3);
-    }
-  BOOST_TEST(sleeping.n_substeps() < awake.n_substeps() / 2);
-  BOOST_REQUIRE(sleeping.crossing_times(0).size() == 2u);
-  for (int i = 0; i < 2; ++i)
-    BOOST_TEST(std::abs(sleeping.crossing_times(0)[i] -
-                        awake.crossing_times(0)[i]) < 1e-7);
+  for (ElectrophysiologySolver *solver : {&sleeping, &short_steps, &awake})
+    solver->add_crossing_probe(0.8, 0.);
+  run(sleeping, 0, 0.3);
+  run(awake, 0, 0.3);
+  for (int i = 0; i < 3000; ++i)
+    BOOST_REQUIRE(short_steps.advance(i * 1e-4, 1e-4).success);
+  BOOST_TEST(awake.n_substeps() == 30000);
+  BOOST_TEST(awake.awake_share() == 1.);
+  BOOST_TEST(sleeping.awake_share() < 0.98);
   std::vector<double> gamma_1, gamma_2;
-  sleeping.activation(0.3, gamma_1);
   awake.activation(0.3, gamma_2);
-  BOOST_TEST(gamma_1[10] > 0.1);
-  for (std::size_t i = 0; i < gamma_1.size(); ++i)
-    BOOST_TEST(std::abs(gamma_1[i] - gamma_2[i]) < 1e-4);
+  BOOST_TEST(gamma_2[10] > 0.1);
+  for (ElectrophysiologySolver *solver : {&sleeping, &short_steps})
+    {
+      BOOST_TEST(solver->n_substeps() < awake.n_substeps() * 2 / 3);
+      BOOST_REQUIRE(solver->crossing_times(0).size() == 2u);
+      for (int i = 0; i < 2; ++i)
+        BOOST_TEST(std::abs(solver->crossing_times(0)[i] -
+                            awake.crossing_times(0)[i]) < 3e-7);
+      solver->activation(0.3, gamma_1);
+      for (std::size_t i = 0; i < gamma_1.size(); ++i)
+        BOOST_TEST(std::abs(gamma_1[i] - gamma_2[i]) < 1e-4);
+    }
+  BOOST_TEST(short_steps.n_substeps() < 1.2 * sleeping.n_substeps());
 }
 
 BOOST_AUTO_TEST_CASE(activation_starts_continuously_and_peaks_at_one)

@@ -50,4 +50,23 @@ BOOST_AUTO_TEST_CASE(powers_of_gates_are_exact_to_1e_14)
   BOOST_TEST(worst < 1e-13);
 }
 
+BOOST_AUTO_TEST_CASE(short_products_of_powers_are_exact_to_2e_11)
+{
+  double worst = 0;
+  for (int i = 0; i < 4000; ++i)
+    {
+      const double a     = std::exp(-20. + 0.005 * i),
+                   b     = std::exp(-3e-3 * (i % 997));
+      const double exact = std::pow(a, 8.64) * std::pow(b, 2.51);
+      worst              = std::max(
+        worst,
+        std::abs(vector_math::power_product(a, 8.64, b, 2.51) / exact - 1.));
+    }
+  BOOST_TEST(worst < 2e-11);
+  BOOST_TEST(vector_math::power_product(1., 1.77, 1., 4.82) == 1.);
+  BOOST_TEST(vector_math::power_product(0., 8.64, 1., 1.) < 1e-300);
+  BOOST_TEST(std::isnan(vector_math::power_product(
+    1., 1.77, std::numeric_limits<double>::quiet_NaN(), 4.82)));
+}
+
 BOOST_AUTO_TEST_SUITE_END()
