@@ -3,6 +3,7 @@
 #include "ephyra/base/parameter_handler.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace ephyra::electrophysiology
@@ -268,8 +269,12 @@ namespace ephyra::electrophysiology
               {
                 packed.push_back(replay.start);
                 packed.push_back(static_cast<double>(replay.samples.size()));
-                packed.insert(
-                  packed.end(), replay.samples.begin(), replay.samples.end());
+                // Two samples in the place of one double.
+                const std::size_t at = packed.size();
+                packed.resize(at + (replay.samples.size() + 1) / 2);
+                std::memcpy(&packed[at],
+                            replay.samples.data(),
+                            replay.samples.size() * sizeof(float));
               }
           }
       }
@@ -287,9 +292,12 @@ namespace ephyra::electrophysiology
             for (Replay &replay : history.replays)
               {
                 replay.start         = *next++;
-                const auto n_samples = static_cast<std::ptrdiff_t>(*next++);
-                replay.samples.assign(next, next + n_samples);
-                next += n_samples;
+                const auto n_samples = static_cast<std::size_t>(*next++);
+                replay.samples.resize(n_samples);
+                std::memcpy(replay.samples.data(),
+                            packed.data() + (next - packed.cbegin()),
+                            n_samples * sizeof(float));
+                next += static_cast<std::ptrdiff_t>((n_samples + 1) / 2);
               }
           }
       }

@@ -213,11 +213,9 @@ namespace ephyra::electrophysiology
   ElectrophysiologySolver::evaluate_load(std::vector<double> &result)
   {
     if (reaction)
-      reaction->load({points_v.data(),
-                      gates.data(),
-                      synaptic_conductance(),
-                      &awake},
-                     result.data());
+      reaction->load(
+        {points_v.data(), gates.data(), synaptic_conductance(), &awake},
+        result.data());
   }
 
   void
