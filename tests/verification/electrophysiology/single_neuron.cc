@@ -27,14 +27,21 @@ namespace
   {
     double potential = 0; ///< mV
     double gates     = 0;
+    double currents  = 0; ///< of the largest value of each
   };
 
+  /// The columns of currents begin at 9, where there are any.
   Deviation
-  from_reference(const Parameters &prm)
+  from_reference(const Parameters  &prm,
+                 const std::string &file = "single_neuron_epsc_at_0.csv")
   {
     ElectrophysiologySolver neuron(prm, MPI_COMM_WORLD);
-    const auto          rows = read_reference("single_neuron_epsc_at_0.csv");
-    Deviation           worst;
+    const auto              rows = read_reference(file);
+    Deviation               worst;
+    std::vector<double>     largest(rows[0].size(), 0.);
+    for (const auto &row : rows)
+      for (std::size_t k = 0; k < row.size(); ++k)
+        largest[k] = std::max(largest[k], std::abs(row[k]));
     std::vector<double> gate;
     for (std::size_t i = 1; i < rows.size(); ++i)
       {
@@ -48,6 +55,13 @@ namespace
             worst.gates =
               std::max(worst.gates, std::abs(gate[0] - rows[i][2 + k]));
           }
+        // V/s, as pA over pF in the reference
+        const std::vector<double> currents = neuron.currents(0);
+        for (std::size_t k = 9; k < rows[i].size(); ++k)
+          worst.currents =
+            std::max(worst.currents,
+                     std::abs(currents[k - 9] / prm.capacitance - rows[i][k]) /
+                       largest[k]);
       }
     return worst;
   }
@@ -72,6 +86,9 @@ BOOST_AUTO_TEST_SUITE(single_neuron)
 BOOST_AUTO_TEST_CASE(trace_follows_the_reference)
 {
   const Deviation deviation = from_reference(one_epsc(5e-6));
+  BOOST_TEST_MESSAGE("one EPSC: potential " << deviation.potential
+                                            << " mV, gates "
+                                            << deviation.gates);
   BOOST_TEST(deviation.potential < 0.05);
   BOOST_TEST(deviation.gates < 1e-3);
 }
@@ -106,6 +123,8 @@ BOOST_AUTO_TEST_CASE(rest_peak_shoulder_and_undershoot)
   const double peak_time = 0.01 * (1. + static_cast<double>(peak - v.begin()));
   BOOST_TEST(std::abs(*peak - 45.87) < 0.02);
   BOOST_TEST(std::abs(peak_time - 2.44) < 0.015);
+  BOOST_TEST_MESSAGE("rest " << rest.back() << " mV, peak " << *peak << " at "
+                             << peak_time << " ms");
   // shoulder: the slowest fall between the peak and 10 ms
   double slowest = 1e9, shoulder = 0, shoulder_time = 0;
   for (std::size_t i = 350; i < 1000; ++i)
@@ -118,9 +137,34 @@ BOOST_AUTO_TEST_CASE(rest_peak_shoulder_and_undershoot)
   BOOST_TEST(std::abs(shoulder + 6.) < 1.5);
   BOOST_TEST(std::abs(shoulder_time - 5.9) < 0.5);
   const auto under = std::min_element(v.begin(), v.end());
+  BOOST_TEST_MESSAGE("shoulder "
+                     << shoulder << " mV at " << shoulder_time
+                     << " ms, undershoot " << *under << " at "
+                     << 0.01 * static_cast<double>(under - v.begin() + 1));
   BOOST_TEST(std::abs(*under + 71.1) < 0.01);
   BOOST_TEST(std::abs(0.01 * static_cast<double>(under - v.begin()) - 45.) <
              2.);
+}
+
+BOOST_AUTO_TEST_CASE(second_epsc_follows_an_independent_integration)
+{
+  // At 25 ms the second EPSC causes a second reflux (28.19 ms), at 7 ms none.
+  for (const double second : {7e-3, 25e-3})
+    {
+      Parameters prm          = one_epsc(5e-6);
+      prm.stimulus.epsc_times = {0., second};
+      const Deviation deviation =
+        from_reference(prm,
+                       "electrophysiology/single_neuron_epsc_at_0_and_" +
+                         std::to_string(std::lround(1e3 * second)) + ".csv");
+      BOOST_TEST_MESSAGE("EPSCs at 0 and "
+                         << second << " s: potential " << deviation.potential
+                         << " mV, gates " << deviation.gates << ", currents "
+                         << deviation.currents);
+      BOOST_TEST(deviation.potential < 0.05);
+      BOOST_TEST(deviation.gates < 1e-3);
+      BOOST_TEST(deviation.currents < 2e-3);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(external_input_always_adds)
