@@ -36,9 +36,6 @@ namespace ephyra::coupling
     sample_activation(0.);
     log().line("Nerve net: " + std::to_string(solver.n_control_points()) +
                " control points");
-    const std::string problem = solver.resolution_problem();
-    if (!problem.empty())
-      log().warning(problem);
   }
 
   StepStatus

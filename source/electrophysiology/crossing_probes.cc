@@ -8,6 +8,7 @@ namespace ephyra::electrophysiology
                       const double              level)
   {
     probes.emplace_back();
+    probes.back().theta = theta;
     probes.back().level = level;
     monodomain.basis(theta, probes.back().first, probes.back().basis);
     return static_cast<int>(probes.size()) - 1;

@@ -43,7 +43,8 @@ namespace ephyra::electrophysiology
     , stimulus_load(monodomain.interval_load(stimulus.interval()))
   {
     if (model)
-      reaction = make_reaction(prm.placement, monodomain, *model);
+      reaction =
+        make_reaction(prm.placement, prm.nodal_currents, monodomain, *model);
     initialize();
   }
 
@@ -66,7 +67,8 @@ namespace ephyra::electrophysiology
                   "An isolated cell without an ionic model has nothing to "
                   "compute; choose an ionic model.");
     prm.synapses.release = false;
-    reaction = make_reaction(Placement::greville_points, monodomain, *model);
+    reaction             = make_reaction(
+      Placement::greville_points, NodalCurrents::none, monodomain, *model);
     initialize();
   }
 
@@ -304,6 +306,15 @@ namespace ephyra::electrophysiology
                      &gates[static_cast<std::size_t>(model->activation_gate()) *
                             n_points()]);
     probes.record(t, dt, old_v, v);
+    if (front)
+      front->record(t + dt, v);
+    if (model && model->activation_gate() >= 0)
+      for (std::size_t p = 0; p < probe_points.size(); ++p)
+        largest_gates[p] =
+          std::max(largest_gates[p],
+                   gates[static_cast<std::size_t>(model->activation_gate()) *
+                           n_points() +
+                         probe_points[p]]);
     diffusion.finish_step();
 
     std::swap(load, previous_load);
@@ -386,7 +397,25 @@ namespace ephyra::electrophysiology
   ElectrophysiologySolver::add_crossing_probe(const double theta,
                                               const double level)
   {
+    if (!front)
+      front.emplace(monodomain.greville(), level);
+    const auto distance = [&](const int i) {
+      return std::abs(reaction->theta()[i] - theta);
+    };
+    int nearest = 0;
+    for (int i = 0; i < n_points(); ++i)
+      if (distance(i) < distance(nearest))
+        nearest = i;
+    probe_points.push_back(nearest);
+    largest_gates.push_back(0.);
     return probes.add(monodomain, theta, level);
+  }
+
+  std::string
+  ElectrophysiologySolver::why_not_reached(const int    probe,
+                                           const double t) const
+  {
+    return front->why_not_reached(probes.theta(probe), t);
   }
 
   std::string
@@ -396,17 +425,23 @@ namespace ephyra::electrophysiology
     // points) change its speed by 0.3, 1.2 and 3 %; 9 times as long by 15 %.
     constexpr double   largest_ratio = 4, good_ratio = 2;
     std::ostringstream problem;
-    if (model && monodomain.longest_element() > 0)
-      {
-        const double width = model->front_width(prm.diffusivity());
-        if (monodomain.longest_element() > largest_ratio * width)
-          problem << "The longest element of the tissue, "
-                  << 1e3 * monodomain.longest_element()
-                  << " mm, does not resolve the front of the action potential, "
-                  << 1e3 * width << " mm wide: the speed would be wrong by "
-                  << "several per cent or more; refine to "
-                  << 1e3 * good_ratio * width << " mm.";
-      }
+    if (!model)
+      return "";
+    const double width   = model->front_width(prm.diffusivity());
+    const double longest = monodomain.longest_element();
+    if (longest > largest_ratio * width)
+      problem << "The longest element of the tissue, " << 1e3 * longest
+              << " mm, does not resolve the front of the action potential, "
+              << 1e3 * width << " mm wide: the speed would be wrong by "
+              << "several per cent or more, or the front stop; refine to "
+              << 1e3 * good_ratio * width << " mm.";
+    const double limit = 1. / model->fastest_rate();
+    if (prm.time_step > limit)
+      problem << (problem.str().empty() ? "" : " ") << "The time step of "
+              << prm.time_step
+              << " s is beyond the limit of the explicit ionic "
+              << "currents, about " << limit
+              << " s; reduce \"Electrophysiology/Time step\".";
     return problem.str();
   }
 
@@ -430,6 +465,9 @@ namespace ephyra::electrophysiology
     if (muscle)
       muscle->serialize(archive);
     probes.serialize(archive);
+    if (front)
+      front->serialize(archive);
+    archive.values("largest gates", largest_gates);
 
     std::vector<double> G11 = monodomain.metric_G11(),
                         r   = monodomain.metric_r();

@@ -2,6 +2,7 @@
 
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/parameter_handler.h"
+#include "ephyra/electrophysiology/spike_conductance.h"
 #include "ephyra/electrophysiology/vector_math.h"
 
 #include <algorithm>
@@ -379,10 +380,6 @@ namespace ephyra::electrophysiology
   double
   MnnNeuron::fastest_rate() const
   {
-    // Steps of 50 us are stable and 60 us are not with the default parameters,
-    // on every mesh and in every placement: 18/ms, a share of the sum of all
-    // conductances.
-    const double sum = prm.g_I + prm.g_FT + prm.g_ST + prm.g_SS + prm.g_L;
-    return ms_per_s * 0.043 * sum / prm.capacitance;
+    return spike_conductance(*this, 1e-12 * prm.capacitance);
   }
 } // namespace ephyra::electrophysiology

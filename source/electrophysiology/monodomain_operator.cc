@@ -59,7 +59,6 @@ namespace ephyra::electrophysiology
     for (int e = 0; e < n_elements; ++e)
       {
         first.push_back(curve.knot_vector(0).first_basis(e));
-        double length = 0;
         for (int q = 0; q < n_per_element; ++q)
           {
             const int i = e * n_per_element + q;
@@ -76,9 +75,7 @@ namespace ephyra::electrophysiology
             G11[i]                 = g.r * g.r + g.y * g.y;
             r[i]                   = curve.point({{theta[i]}}).r;
             reference_measure[i]   = r[i] * std::sqrt(G11[i]);
-            length += weight[i] * std::sqrt(G11[i]);
           }
-        longest = std::max(longest, length);
       }
     std::vector<double> N;
     for (int i = 0; i < n; ++i)
@@ -215,6 +212,29 @@ namespace ephyra::electrophysiology
       for (int a = 0; a < n_local; ++a)
         load[first[e] + a] +=
           shifted[static_cast<std::size_t>(a) * n_elements + e];
+  }
+
+  double
+  MonodomainOperator::longest_element() const
+  {
+    double longest = 0;
+    for (int e = 0; e < n_elements && !line.empty(); ++e)
+      {
+        double length = 0;
+        for (int i = e * n_per_element; i < (e + 1) * n_per_element; ++i)
+          length += weight[i] * std::sqrt(G11[i]);
+        longest = std::max(longest, length);
+      }
+    return longest;
+  }
+
+  void
+  MonodomainOperator::shares(std::vector<double> &result) const
+  {
+    // Row sums of the mass matrix: the functions sum to one.
+    result.resize(n);
+    const std::vector<double> one(n, 1.);
+    mass_matrix.multiply(one.data(), result.data());
   }
 
   std::vector<double>

@@ -35,13 +35,61 @@ namespace ephyra::electrophysiology
       asleep(n_points);
     }
 
+    /// Adds the nodal part of the load: values times int N_i r dL.
+    class NodalLoad
+    {
+    public:
+      NodalLoad(const MonodomainOperator &monodomain,
+                const IonicModel         &model,
+                const NodalCurrents       kind)
+        : monodomain(monodomain)
+        , model(model)
+        , kind(kind)
+        , nodal(monodomain.n_unknowns())
+        , rest(monodomain.n_unknowns())
+        , share(monodomain.n_unknowns())
+        , no_synapses(monodomain.n_unknowns(), 0.)
+      {
+      }
+
+      /// The synapses that the other part of the load sees.
+      const double *
+      others(const PointState &state) const
+      {
+        return kind == NodalCurrents::synaptic ? no_synapses.data()
+                                               : state.synapse;
+      }
+      void
+      add(const PointState &state, double *load)
+      {
+        const int n = monodomain.n_unknowns();
+        model.rate(n, state.v, state.gates, n, state.synapse, nodal.data());
+        std::fill(rest.begin(), rest.end(), 0.);
+        if (kind == NodalCurrents::synaptic)
+          model.rate(
+            n, state.v, state.gates, n, no_synapses.data(), rest.data());
+        monodomain.shares(share);
+        for (int i = 0; i < n; ++i)
+          load[i] += share[i] * (nodal[i] - rest[i]);
+      }
+
+    private:
+      const MonodomainOperator &monodomain;
+      const IonicModel         &model;
+      const NodalCurrents       kind;
+      std::vector<double>       nodal, rest, share, no_synapses;
+    };
+
     class AtControlCoefficients : public Reaction
     {
     public:
       AtControlCoefficients(const MonodomainOperator &monodomain,
-                            const IonicModel         &model)
+                            const IonicModel         &model,
+                            const NodalCurrents       kind)
         : monodomain(monodomain)
         , model(model)
+        , kind(kind)
+        , nodal(monodomain, model, kind)
         , n_gauss(monodomain.n_gauss_points())
         , v(n_gauss)
         , gates(static_cast<std::size_t>(n_gauss) * model.n_gates())
@@ -68,15 +116,11 @@ namespace ephyra::electrophysiology
       void
       load(const PointState &state, double *load) override
       {
-        monodomain.interpolate(state.v, v.data());
-        for (int k = 0; k < model.n_gates(); ++k)
-          monodomain.interpolate(state.gates + k * n_points(),
-                                 &gates[static_cast<std::size_t>(k) * n_gauss]);
-        if (model.has_synapses())
-          monodomain.interpolate(state.synapse, synapse.data());
-        model.rate(
-          n_gauss, v.data(), gates.data(), n_gauss, synapse.data(), f.data());
-        monodomain.integrate(f.data(), load);
+        std::fill(load, load + n_points(), 0.);
+        if (kind != NodalCurrents::all)
+          interpolated_load(state, load);
+        if (kind != NodalCurrents::none)
+          nodal.add(state, load);
       }
       void
       metric_changed() override
@@ -89,8 +133,24 @@ namespace ephyra::electrophysiology
       }
 
     private:
+      void
+      interpolated_load(const PointState &state, double *load)
+      {
+        monodomain.interpolate(state.v, v.data());
+        for (int k = 0; k < model.n_gates(); ++k)
+          monodomain.interpolate(state.gates + k * n_points(),
+                                 &gates[static_cast<std::size_t>(k) * n_gauss]);
+        if (model.has_synapses())
+          monodomain.interpolate(nodal.others(state), synapse.data());
+        model.rate(
+          n_gauss, v.data(), gates.data(), n_gauss, synapse.data(), f.data());
+        monodomain.integrate(f.data(), load);
+      }
+
       const MonodomainOperator &monodomain;
       const IonicModel         &model;
+      const NodalCurrents       kind;
+      NodalLoad                 nodal;
       const int                 n_gauss;
       std::vector<double>       v, gates, synapse, f; ///< at Gauss points
     };
@@ -99,9 +159,12 @@ namespace ephyra::electrophysiology
     {
     public:
       AtGrevillePoints(const MonodomainOperator &monodomain,
-                       const IonicModel         &model)
+                       const IonicModel         &model,
+                       const NodalCurrents       kind)
         : monodomain(monodomain)
         , model(model)
+        , kind(kind)
+        , nodal(monodomain, model, kind)
         , f(monodomain.n_unknowns())
       {
         collocation.factorize(monodomain.collocation(),
@@ -127,9 +190,17 @@ namespace ephyra::electrophysiology
       void
       load(const PointState &state, double *load) override
       {
-        rate_in_ranges(model, n_points(), state, f);
-        collocation.solve(f.data());
-        monodomain.consistent_mass().multiply(f.data(), load);
+        std::fill(load, load + n_points(), 0.);
+        if (kind != NodalCurrents::all)
+          {
+            PointState interpolated = state;
+            interpolated.synapse    = nodal.others(state);
+            rate_in_ranges(model, n_points(), interpolated, f);
+            collocation.solve(f.data());
+            monodomain.consistent_mass().multiply(f.data(), load);
+          }
+        if (kind != NodalCurrents::none)
+          nodal.add(state, load);
       }
       void
       metric_changed() override
@@ -144,6 +215,8 @@ namespace ephyra::electrophysiology
     private:
       const MonodomainOperator &monodomain;
       const IonicModel         &model;
+      const NodalCurrents       kind;
+      NodalLoad                 nodal;
       NarrowBandSolver          collocation;
       std::vector<double>       f;
     };
@@ -212,15 +285,17 @@ namespace ephyra::electrophysiology
 
   std::unique_ptr<Reaction>
   make_reaction(const Placement           placement,
+                const NodalCurrents       nodal,
                 const MonodomainOperator &monodomain,
                 const IonicModel         &model)
   {
     switch (placement)
       {
       case Placement::control_coefficients:
-        return std::make_unique<AtControlCoefficients>(monodomain, model);
+        return std::make_unique<AtControlCoefficients>(
+          monodomain, model, nodal);
       case Placement::greville_points:
-        return std::make_unique<AtGrevillePoints>(monodomain, model);
+        return std::make_unique<AtGrevillePoints>(monodomain, model, nodal);
       default:
         return std::make_unique<AtQuadraturePoints>(monodomain, model);
       }

@@ -96,6 +96,15 @@ namespace ephyra::electrophysiology
     return prm.n_pulses == 0 || pulse < prm.n_pulses;
   }
 
+  int
+  Stimulus::n_pulses_before(const double t) const
+  {
+    int n = 0;
+    while (exists(n) && onset(n) < t)
+      ++n;
+    return n;
+  }
+
   double
   Stimulus::mean_current(const double t, const double dt) const
   {

@@ -184,4 +184,36 @@ namespace ephyra::geometry
       std::move(weights));
     return make_body("bell", refined(patch, discretization, "bell"));
   }
+
+  BodyCurve
+  make_subumbrella(const double          a,
+                   const double          b,
+                   const double          flap,
+                   const double          center,
+                   const Discretization &discretization)
+  {
+    check_length("radial half axis of the subumbrella", a);
+    check_length("axial half axis of the subumbrella", b);
+    check_length("flap of the subumbrella", flap);
+    std::vector<Point>  points;
+    std::vector<double> weights;
+    for (const WeightedPoint &p : quarter_ellipse(a, b, center))
+      {
+        points.push_back(p.x);
+        weights.push_back(p.weight);
+      }
+    for (const double part : {0.5, 1.})
+      {
+        points.push_back({a, center - part * flap});
+        weights.push_back(1.);
+      }
+    const double        length = quarter_ellipse_length(a, b);
+    const double        joint  = length / (length + flap);
+    const NurbsPatch<1> line(
+      {splines::KnotVector(2, {0., 0., 0., joint, joint, 1., 1., 1.})},
+      std::move(points),
+      std::move(weights));
+    return {
+      "subumbrella", refined(line, discretization, "subumbrella"), true, false};
+  }
 } // namespace ephyra::geometry

@@ -136,18 +136,25 @@ namespace ephyra::geometry
   CurveParameters::declare(ParameterHandler &prm)
   {
     declare_common(prm,
-                   "disk|cylinder|hemi-ellipsoid|sphere|spheroid|torus|file",
+                   "disk|cylinder|hemi-ellipsoid|subumbrella|sphere|spheroid|"
+                   "torus|file",
                    "sphere",
                    1);
     declare_length(prm,
                    "Radius",
                    "10 mm",
                    "Radius of a disk, cylinder or sphere, or radial half axis "
-                   "of a spheroid or hemi-ellipsoid.");
+                   "of a spheroid, hemi-ellipsoid or subumbrella.");
     declare_length(prm,
                    "Half height",
                    "10 mm",
-                   "Axial half axis of a spheroid or hemi-ellipsoid.");
+                   "Axial half axis of a spheroid, hemi-ellipsoid or "
+                   "subumbrella.");
+    declare_length(prm,
+                   "Flap length",
+                   "2.1 mm",
+                   "Length of the flap that a subumbrella has below its "
+                   "ellipse.");
     declare_length(prm, "Length", "20 mm", "Length of a cylinder.");
     declare_length(prm,
                    "Ring radius",
@@ -166,6 +173,7 @@ namespace ephyra::geometry
     file_name   = prm.get("Patch file");
     radius      = prm.get_double("Radius");
     half_height = prm.get_double("Half height");
+    flap_length = prm.get_double("Flap length");
     length      = prm.get_double("Length");
     ring_radius = prm.get_double("Ring radius");
     core_radius = prm.get_double("Core radius");
@@ -182,6 +190,8 @@ namespace ephyra::geometry
       return make_cylinder_surface(p.radius, p.length, y, d);
     if (p.shape == "hemi-ellipsoid")
       return make_hemi_ellipsoid(p.radius, p.half_height, y, d);
+    if (p.shape == "subumbrella")
+      return make_subumbrella(p.radius, p.half_height, p.flap_length, y, d);
     if (p.shape == "sphere")
       return make_spheroid(p.radius, p.radius, y, d);
     if (p.shape == "spheroid")
@@ -192,7 +202,8 @@ namespace ephyra::geometry
                   InputError,
                   "There is no curve of the shape '"
                     << p.shape << "'; shapes are disk, cylinder, "
-                    << "hemi-ellipsoid, sphere, spheroid, torus and file.");
+                    << "hemi-ellipsoid, subumbrella, sphere, spheroid, torus "
+                    << "and file.");
     const PatchFile file = read_shifted(p.file_name, 1, y);
     return {p.file_name,
             refined(NurbsPatch<1>(file.knot_vectors, file.points, file.weights),

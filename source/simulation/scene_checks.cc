@@ -3,6 +3,7 @@
 #include "ephyra/base/exceptions.h"
 #include "ephyra/simulation/body_checks.h"
 #include "ephyra/simulation/flow_checks.h"
+#include "ephyra/simulation/front_checks.h"
 #include "ephyra/simulation/tissue_checks.h"
 #include "ephyra/simulation/window_checks.h"
 
@@ -313,6 +314,8 @@ namespace ephyra::simulation
       check_coupling(scene, prm);
     if (scene.flow)
       check_window(scene, grid ? &grid->y : nullptr, prm);
+    if (scene.electrophysiology)
+      check_front(scene);
     check_names_of_samples(scene, prm);
     warn_of_unused_sections(scene, prm);
   }

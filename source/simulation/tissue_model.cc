@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace ephyra::simulation
@@ -34,10 +35,10 @@ namespace ephyra::simulation
       {
         motion->metric(0., G11, radius);
         solver->set_deformed_metric(G11, radius);
+        const std::string problem = solver->resolution_problem();
+        if (!problem.empty())
+          log().warning("With the first shape of the line: " + problem);
       }
-    const std::string problem = solver->resolution_problem();
-    if (!problem.empty())
-      log().warning(problem);
   }
 
   StepStatus
@@ -133,23 +134,34 @@ namespace ephyra::simulation
                static_cast<double>(solver->n_factorizations()));
     if (motion && motion->moves())
       record.add("metric updates [-]", static_cast<double>(metric_updates));
+    constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t p = 0; p < crossing_probes.size(); ++p)
       {
         const auto        &times = solver->crossing_times(crossing_probes[p]);
         std::ostringstream place;
-        place << " at theta1 = " << probe_points[p];
-        record.add("crossings" + place.str() + " [-]",
+        place << "theta1 = " << probe_points[p];
+        record.add("first crossing at " + place.str() + " [s]",
+                   times.empty() ? no_number : times.front());
+        record.add("crossings at " + place.str() + " [-]",
                    static_cast<double>(times.size()));
-        if (!times.empty())
-          record.add("first crossing" + place.str() + " [s]", times.front());
+        const auto *model = solver->ionic_model();
+        if (model && model->activation_gate() >= 0)
+          record.add("largest " +
+                       model->gate_names()[model->activation_gate()] + " at " +
+                       place.str() + " [-]",
+                     solver->largest_gate(crossing_probes[p]));
+        if (times.empty())
+          log().warning(solver->why_not_reached(crossing_probes[p], time));
       }
-    if (crossing_probes.size() < 2 || !line)
+    if (crossing_probes.size() < 2)
       return;
+    report_lost_fronts();
     // Mean speed of the front between the outermost probes.
-    const auto &first = solver->crossing_times(crossing_probes.front());
-    const auto &last  = solver->crossing_times(crossing_probes.back());
-    if (first.empty() || last.empty())
-      return;
+    const auto &first    = solver->crossing_times(crossing_probes.front());
+    const auto &last     = solver->crossing_times(crossing_probes.back());
+    double      duration = no_number;
+    if (!first.empty() && !last.empty())
+      duration = std::abs(last.front() - first.front());
     double    length  = 0;
     const int n_steps = 1000;
     for (int k = 0; k < n_steps; ++k)
@@ -160,7 +172,54 @@ namespace ephyra::simulation
         };
         length += std::hypot(at(k + 1).r - at(k).r, at(k + 1).y - at(k).y);
       }
-    record.add("conduction velocity [m/s]",
-               length / std::abs(last.front() - first.front()));
+    record.add("time between crossing probes [s]", duration);
+    record.add("conduction velocity [m/s]", length / duration);
+  }
+
+  void
+  TissueModel::report_lost_fronts() const
+  {
+    // The probe that the first front reached first, and the one it reached last.
+    std::size_t near = 0, far = 0;
+    const auto times = [&](const std::size_t p) -> const std::vector<double> & {
+      return solver->crossing_times(crossing_probes[p]);
+    };
+    for (std::size_t p = 0; p < crossing_probes.size(); ++p)
+      {
+        if (times(p).empty())
+          return; // told already
+        if (times(p).front() < times(near).front())
+          near = p;
+        if (times(p).front() > times(far).front())
+          far = p;
+      }
+    // Those that have had as much time as the first front needed, and half more.
+    const double needed = 1.5 * (times(far).front() - times(near).front());
+    const auto   n_old  = std::count_if(
+      times(near).begin(), times(near).end(), [&](const double crossing) {
+        return crossing + needed < time;
+      });
+    const auto n_arrived = static_cast<std::ptrdiff_t>(times(far).size());
+    if (n_arrived < n_old)
+      {
+        std::ostringstream text;
+        text << "Conduction block: of " << n_old
+             << " fronts that passed theta^1 = " << probe_points[near]
+             << ", only " << n_arrived
+             << " came to theta^1 = " << probe_points[far] << ".";
+        log().warning(text.str());
+      }
+    const int n_pulses =
+      solver->n_pulses_before(time - 1.5 * times(near).front());
+    const auto n_passed = static_cast<int>(times(near).size());
+    if (n_passed < n_pulses)
+      {
+        std::ostringstream text;
+        text << "Of " << n_pulses << " pulses of the stimulus only " << n_passed
+             << " sent a front past theta^1 = " << probe_points[near]
+             << ": the others met tissue that had not recovered, or were too "
+                "weak.";
+        log().warning(text.str());
+      }
   }
 } // namespace ephyra::simulation

@@ -17,7 +17,7 @@ namespace ephyra::coupling
   public:
     /// @p patch the body, @p n_nested elements of the line in each of its
     /// elements, @p activation_points the theta^1 where activation() is wanted.
-    /// Logs the number of points, and warns of a line too coarse for a front.
+    /// Logs the number of points.
     NerveNet(
       const electrophysiology::ElectrophysiologySolver::Parameters &parameters,
       const splines::NurbsPatch<2>                                 &patch,

@@ -26,6 +26,11 @@ namespace ephyra::electrophysiology
            double                     dt,
            const std::vector<double> &old_v,
            const std::vector<double> &new_v);
+    double
+    theta(const int probe) const
+    {
+      return probes[probe].theta;
+    }
     const std::vector<double> &
     times(const int probe) const
     {
@@ -37,6 +42,7 @@ namespace ephyra::electrophysiology
   private:
     struct Probe
     {
+      double              theta;
       int                 first;
       std::vector<double> basis;
       double              level;

@@ -6,6 +6,7 @@
 #include "ephyra/electrophysiology/boundary_condition.h"
 #include "ephyra/electrophysiology/crossing_probes.h"
 #include "ephyra/electrophysiology/diffusion_stepper.h"
+#include "ephyra/electrophysiology/front_tracker.h"
 #include "ephyra/electrophysiology/mnn_neuron.h"
 #include "ephyra/electrophysiology/monodomain_operator.h"
 #include "ephyra/electrophysiology/nagumo.h"
@@ -75,6 +76,7 @@ namespace ephyra::electrophysiology
       /// are not computed, V; 0: all are.
       double                   sleep_tolerance = 1e-7;
       Placement                placement       = Placement::greville_points;
+      NodalCurrents            nodal_currents  = NodalCurrents::none;
       GatePotential            gate_potential  = GatePotential::midpoint;
       MonodomainOperator::Mass mass = MonodomainOperator::Mass::consistent;
       DiffusionStepper::LinearSolver linear_solver =
@@ -227,7 +229,25 @@ namespace ephyra::electrophysiology
       return probes.times(probe);
     }
 
-    /// Empty where the mesh resolves a front; else what is wrong with it.
+    /// Largest value so far of the gate that activates the muscle, at the point
+    /// nearest to a probe; 0 without such a gate.
+    double
+    largest_gate(const int probe) const
+    {
+      return largest_gates[probe];
+    }
+    /// Why the front has not come to a probe by the time t; see FrontTracker.
+    std::string
+    why_not_reached(int probe, double t) const;
+    /// Pulses of the stimulus that began before t.
+    int
+    n_pulses_before(const double t) const
+    {
+      return stimulus.n_pulses_before(t);
+    }
+
+    /// Empty where the mesh resolves a front and the time step is stable; else
+    /// what is wrong. The elements are measured on the deformed line.
     std::string
     resolution_problem() const;
 
@@ -286,6 +306,8 @@ namespace ephyra::electrophysiology
     std::optional<Synapses>     synapses;
     std::optional<Activation>   muscle;
     CrossingProbes              probes;
+    std::optional<FrontTracker> front;        ///< with probes
+    std::vector<int>            probe_points; ///< nearest point of each probe
     std::vector<double>         stimulus_load;
     /// Coefficients of the stimulated part, where its load has to follow a
     /// deformed measure; else empty.
@@ -307,6 +329,7 @@ namespace ephyra::electrophysiology
     double              epscs_given_until = -1;
     std::int64_t        substeps          = 0;
     std::int64_t        awake_points      = 0; ///< summed over the substeps
+    std::vector<double> largest_gates;         ///< of each probe
 
     // Work space.
     std::vector<double> increment, total_load, old_v, points_v, old_points_v,

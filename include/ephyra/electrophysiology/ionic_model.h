@@ -71,7 +71,8 @@ namespace ephyra::electrophysiology
     virtual double
     front_width(double kappa) const = 0;
     /// Largest -df/dv during a spike, 1/s: the second-order Adams-Bashforth
-    /// method is stable for steps up to about its inverse.
+    /// method is stable for steps up to about its inverse. Computed anew at
+    /// each call.
     virtual double
     fastest_rate() const = 0;
   };

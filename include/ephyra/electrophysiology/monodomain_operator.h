@@ -74,12 +74,9 @@ namespace ephyra::electrophysiology
     {
       return is_closed;
     }
-    /// Longest element of the reference line, m.
+    /// Longest element of the deformed line, m; 0 for an isolated cell.
     double
-    longest_element() const
-    {
-      return longest;
-    }
+    longest_element() const;
 
     /// Metric of the deformed line at the Gauss points, G_11 in m^2 and r in
     /// m. Where nothing changed by more than @p tolerance (relative, since the
@@ -134,6 +131,9 @@ namespace ephyra::electrophysiology
     /// its ends.
     std::vector<double>
     interval_load(const std::array<double, 2> &interval) const;
+    /// int N_i r dL: the share of each function in the surface.
+    void
+    shares(std::vector<double> &values) const;
     /// Basis functions at any theta^1: their values and the first index.
     void
     basis(double theta, int &first, std::vector<double> &values) const;
@@ -150,7 +150,6 @@ namespace ephyra::electrophysiology
     int                                 n_elements    = 1;
     int                                 n_per_element = 1;
     int                                 n_local       = 1;
-    double                              longest       = 0;
     std::vector<double>                 theta;
     std::vector<double>                 greville_points;
     std::vector<int>                    first; ///< function of each element

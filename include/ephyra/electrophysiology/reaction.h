@@ -25,6 +25,17 @@ namespace ephyra::electrophysiology
     quadrature_points
   };
 
+  /// Currents that enter the weak form point by point, each times its share
+  /// int N_i r dL of the surface, instead of as a function of space. With the
+  /// consistent mass matrix they sharpen the front and slow it on coarse
+  /// meshes; to compare with the paper. Not at quadrature points.
+  enum class NodalCurrents
+  {
+    none,
+    synaptic, ///< i_syn; the ionic currents as the placement says
+    all
+  };
+
   /// State of the points that carry gates and synapses, as the reaction needs
   /// it; arrays of n_points values (gates: one array after another).
   struct PointState
@@ -64,6 +75,7 @@ namespace ephyra::electrophysiology
   /// References are kept: operator and model must live on.
   std::unique_ptr<Reaction>
   make_reaction(Placement                 placement,
+                NodalCurrents             nodal,
                 const MonodomainOperator &monodomain,
                 const IonicModel         &model);
 } // namespace ephyra::electrophysiology

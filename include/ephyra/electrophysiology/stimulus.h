@@ -46,6 +46,9 @@ namespace ephyra::electrophysiology
     /// The EPSCs with from <= time < to are [first, last).
     std::array<std::vector<double>::const_iterator, 2>
     epscs(double from, double to) const;
+    /// Pulses that began before t.
+    int
+    n_pulses_before(double t) const;
     const std::array<double, 2> &
     interval() const
     {

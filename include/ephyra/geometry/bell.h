@@ -51,4 +51,14 @@ namespace ephyra::geometry
   make_bell(const BellParameters &parameters,
             double                apex,
             const Discretization &discretization);
+
+  /// The subumbrellar line of a bell alone, with the parametrisation that it
+  /// has there: a quarter ellipse with the half axes @p a and @p b (m), from
+  /// the axis, and a flap of the length @p flap along its vertical tangent.
+  BodyCurve
+  make_subumbrella(double                a,
+                   double                b,
+                   double                flap,
+                   double                center,
+                   const Discretization &discretization);
 } // namespace ephyra::geometry

@@ -37,17 +37,19 @@ namespace ephyra::geometry
   /// A surface or outline by the name of its shape.
   struct CurveParameters
   {
-    /// disk, cylinder, hemi-ellipsoid, sphere, spheroid, torus or file.
+    /// disk, cylinder, hemi-ellipsoid, subumbrella, sphere, spheroid, torus or
+    /// file.
     std::string    shape          = "sphere";
     double         axial_position = 0.; ///< y of the reference point, m
     Discretization discretization;
-    double         radius = 0.01;    ///< disk, cylinder, sphere; radial half
-                                     ///< axis of (hemi-)ellipsoids, m
-    double      half_height = 0.01;  ///< axial half axis, m
-    double      length      = 0.02;  ///< cylinder, m
-    double      ring_radius = 0.02;  ///< torus, m
-    double      core_radius = 0.005; ///< torus, m
-    std::string file_name;           ///< file
+    double         radius = 0.01;     ///< disk, cylinder, sphere; radial half
+                                      ///< axis of (hemi-)ellipsoids, m
+    double      half_height = 0.01;   ///< axial half axis, m
+    double      flap_length = 0.0021; ///< subumbrella, m
+    double      length      = 0.02;   ///< cylinder, m
+    double      ring_radius = 0.02;   ///< torus, m
+    double      core_radius = 0.005;  ///< torus, m
+    std::string file_name;            ///< file
 
     static void
     declare(ParameterHandler &prm);

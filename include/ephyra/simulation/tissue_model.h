@@ -31,6 +31,11 @@ namespace ephyra::simulation
     add_results(Record &record) const override;
 
   private:
+    /// Warns of fronts that passed one probe and never came to another, and of
+    /// pulses that sent none.
+    void
+    report_lost_fronts() const;
+
     std::optional<splines::NurbsPatch<1>>                       line;
     std::unique_ptr<electrophysiology::ElectrophysiologySolver> solver;
     std::optional<LineProfile>                                  profile;

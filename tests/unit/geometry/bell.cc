@@ -23,6 +23,23 @@ namespace
 
 BOOST_AUTO_TEST_SUITE(bell)
 
+BOOST_AUTO_TEST_CASE(subumbrella_is_the_line_of_the_bell)
+{
+  const BellParameters p;
+  const double         a      = p.radius;
+  const double         center = 0.2 - p.outer_height * a;
+  const BodyPatch      body   = make_bell(p, 0.2, {});
+  const BodyCurve      line   = make_subumbrella(
+    p.inner_radius * a, p.inner_height * a, p.flap_length * a, center, {});
+  for (int k = 0; k <= 100; ++k)
+    {
+      const Point x = line.curve.point({{k / 100.}});
+      const Point y = body.patch.point({{k / 100., 0.}});
+      BOOST_TEST(std::abs(x.r - y.r) < 1e-14);
+      BOOST_TEST(std::abs(x.y - y.y) < 1e-14);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(outlines_are_exact)
 {
   const BellParameters p;

@@ -135,6 +135,30 @@ BOOST_AUTO_TEST_CASE(orders_of_the_placements_in_space)
              2.5);
 }
 
+BOOST_AUTO_TEST_CASE(lumping_of_mass_and_of_currents_have_opposite_signs)
+{
+  // On elements as long as the front is wide.
+  const auto speed = [](const NodalCurrents            nodal,
+                        const MonodomainOperator::Mass mass) {
+    Parameters prm     = cable(10e-6, Placement::control_coefficients);
+    prm.nodal_currents = nodal;
+    prm.mass           = mass;
+    return travel(prm, 2, 500).speed;
+  };
+  using Mass            = MonodomainOperator::Mass;
+  const double function = speed(NodalCurrents::none, Mass::consistent);
+  const double lumped   = speed(NodalCurrents::none, Mass::lumped);
+  const double synapses = speed(NodalCurrents::synaptic, Mass::consistent);
+  const double all      = speed(NodalCurrents::all, Mass::consistent);
+  const double both     = speed(NodalCurrents::all, Mass::lumped);
+  BOOST_TEST(std::abs(function / 0.4742 - 1) < 0.02);
+  BOOST_TEST(lumped > 1.05 * function);
+  BOOST_TEST(synapses < 0.92 * function);
+  BOOST_TEST(all < 0.92 * function);
+  // Both together are a finite difference scheme.
+  BOOST_TEST(std::abs(both / 0.4742 - 1) < 0.03);
+}
+
 BOOST_AUTO_TEST_CASE(long_discretisation_of_the_reference)
 {
   const Wave wave =
