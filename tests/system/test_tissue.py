@@ -97,14 +97,15 @@ class TissueTest(runs.SystemTest):
         # The pulse is on one side of the seam: 2 % of the way round apart.
         self.assertLess(abs((seam[3] - seam[1]) * 0.475 - 0.02 * 2 * numpy.pi * 2e-3), 2e-5)
 
-    def test_a_all_of_arrivals_and_the_restart(self):
+    def test_a_map_of_arrivals_and_the_restart(self):
         wave = runs.sets(Tissue__Shape="cylinder", Tissue__Elements=400, Time__End_time="12 ms",
                          Electrophysiology__Stimulus__Current="0.5 nA/mm^3",
                          Electrophysiology__Stimulus__Interval="0, 0.02",
                          Output__Checkpoints__Time_interval="6 ms", **{
                              "Tissue line all/Quantities": "arrival, position, currents",
                              "Tissue line all/Intervals": 10})
-        self.run_tissue("whole", *wave, *MOTION[:2])
+        wave += MOTION[:2] + runs.sets(Electrophysiology__Measure="deformed")
+        self.run_tissue("whole", *wave)
         table = self.table("whole", "profiles/all_arrival.csv")
         last = table.values[-1][1:]
         self.assertTrue(numpy.isnan(table.values[0][1:]).all())
@@ -114,7 +115,7 @@ class TissueTest(runs.SystemTest):
         place = self.table("whole", "profiles/all_r.csv")
         self.assertLess(abs(place["0.5"] - 0.01 * (1 - 0.1 * numpy.sin(200 * place["time [s]"]))
                             ).max(), 1e-12)
-        self.run_tissue("part", *wave, *MOTION[:2])
+        self.run_tissue("part", *wave)
         for checkpoint in sorted((self.folder / "part/checkpoints").glob("*.h5"))[1:]:
             checkpoint.unlink()
         self.run_program("--resume", "part", "--quiet")

@@ -12,7 +12,7 @@ def beating_line(run):
               for k in range(10)]
     for cycle in (1, 4, 9):
         yield Number(f"travel time in cycle {cycle + 1}, ms", 1e3 * travel[cycle],
-                     1e3 * travel[0], 1e-6, source)
+                     1e3 * travel[0], 2e-3, source)
     yield Number("smallest potential, mV", 1e3 * run.result["smallest smallest potential [V]"],
                  -71.1, 0.1, "undershoot of the isolated neuron")
     table = run.table("statistics")
