@@ -103,8 +103,10 @@ namespace ephyra::electrophysiology
         model->steady_gates(rest, steady.data());
         for (const double gate : steady)
           gates.insert(gates.end(), n_state, gate);
-        if (model->has_synapses() && n > 1)
-          awake = AwakeRanges(model.get(), n_state, prm.sleep_tolerance);
+        awake = AwakeRanges(model.get(),
+                            n_state,
+                            model->has_synapses() && n > 1 ? prm.sleep_tolerance
+                                                           : 0.);
         if (model->has_synapses())
           synapses.emplace(
             prm.synapses, prm.neuron.capacitance * 1e-12, n_state);
@@ -126,6 +128,14 @@ namespace ephyra::electrophysiology
         set_potential([&](const double s) { return initial(s); });
       }
     may_rest = prm.resting_time_step > prm.time_step && synapses;
+    EphyraThrowIf(
+      may_rest && prm.resting_time_step > awake.largest_resting_step(),
+      InputError,
+      "The resting time step of "
+        << prm.resting_time_step << " s is beyond "
+        << awake.largest_resting_step()
+        << " s, up to which the explicit ionic currents are stable "
+           "at rest; lower \"Electrophysiology/Resting time step\".");
     evaluate_load(load);
   }
 

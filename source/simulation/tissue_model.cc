@@ -128,7 +128,6 @@ namespace ephyra::simulation
   TissueModel::add_results(Record &record) const
   {
     record.add("nerve net unknowns [-]", solver->n_control_points());
-    record.add("substeps [-]", static_cast<double>(solver->n_substeps()));
     record.add("awake share of points [-]", solver->awake_share());
     record.add("factorisations [-]",
                static_cast<double>(solver->n_factorizations()));

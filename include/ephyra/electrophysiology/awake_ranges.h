@@ -31,6 +31,12 @@ namespace ephyra::electrophysiology
     }
     int
     n_awake() const;
+    /// Longest step for which the explicit currents at rest are stable, s.
+    double
+    largest_resting_step() const
+    {
+      return resting_slope < 0 ? -1. / resting_slope : 0.;
+    }
     /// f of a sleeping point, V/s.
     double
     rate_asleep(const double v) const

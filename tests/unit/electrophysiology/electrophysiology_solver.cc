@@ -6,6 +6,7 @@
 #include "ephyra/base/parameter_handler.h"
 
 #include "straight_line.h"
+#include "temporary_folder.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -216,6 +217,15 @@ BOOST_AUTO_TEST_CASE(a_stimulus_too_weak_is_no_front)
   BOOST_TEST(solver.crossing_times(probe).empty());
   BOOST_TEST(solver.why_not_reached(probe, 5e-3).find("no point of the line") !=
              std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(a_resting_step_too_long_is_refused)
+{
+  Parameters prm        = excited();
+  prm.resting_time_step = 10e-3;
+  BOOST_TEST(testing::message_of<InputError>([&] {
+               ElectrophysiologySolver(prm, cable(), MPI_COMM_WORLD);
+             }).find("Resting time step") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_mesh_too_coarse_for_the_front_is_found_before_the_run)
