@@ -102,6 +102,7 @@ namespace ephyra::electrophysiology
                                  : mass(i, j) + 0.5 * dt * kappa * stiffness(i, j);
         }
     factorize();
+    ++factorizations;
     if (monodomain.closed())
       {
         seam.assign(n, 0.);

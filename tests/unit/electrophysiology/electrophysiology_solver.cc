@@ -103,6 +103,26 @@ BOOST_AUTO_TEST_CASE(unexcited_tissue_stays_at_rest_in_few_steps)
   BOOST_TEST(solver.n_substeps() < 1000);
 }
 
+BOOST_AUTO_TEST_CASE(a_moving_metric_does_not_wake_resting_tissue)
+{
+  Parameters prm       = excited();
+  prm.stimulus.current = 0;
+  ElectrophysiologySolver solver(prm, cable(), MPI_COMM_WORLD);
+  const std::size_t       n_metric = solver.metric_points().size();
+  run(solver, 0, 0.05);
+  const auto before = solver.n_substeps();
+  for (int i = 0; i < 1000; ++i)
+    {
+      const double t = 0.05 + i * 1e-4;
+      solver.set_deformed_metric(
+        std::vector<double>(n_metric, 9e-6 * (1 + 0.5 * std::sin(100 * t))),
+        std::vector<double>(n_metric, 15e-3));
+      BOOST_REQUIRE(solver.advance(t, 1e-4).success);
+    }
+  BOOST_TEST(solver.resting());
+  BOOST_TEST(solver.n_substeps() - before <= 201);
+}
+
 BOOST_AUTO_TEST_CASE(sleep_changes_neither_arrival_nor_activation)
 {
   // Two pulses, 0.25 s apart. The scene's own steps differ too.
