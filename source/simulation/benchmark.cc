@@ -15,28 +15,40 @@ namespace ephyra::simulation
 {
   namespace
   {
+    /// A wave that starts on a cable of 1200 control points.
     void
     tissue_case(BenchmarkReport &report, const MPI_Comm comm)
     {
       using electrophysiology::ElectrophysiologySolver;
-      ElectrophysiologySolver::Parameters parameters;
-      geometry::Discretization            line;
+      using electrophysiology::Placement;
+      geometry::Discretization line;
       line.degree     = {{3, 3}};
       line.n_elements = {{1197, 1}};
-      ElectrophysiologySolver solver(
-        parameters,
-        geometry::make_cylinder_surface(0.015, 0.02, 0., line).curve,
-        comm);
-      const int    n_steps = 1000;
-      double       t       = 0;
-      const double dt      = n_steps * parameters.time_step;
-      const double time    = least_time(3, comm, [&] {
-        solver.advance(t, dt);
-        t += dt;
-      });
-      report.line("nerve net, a substep, for each control point",
-                  time / n_steps,
-                  solver.n_control_points());
+      const auto curve =
+        geometry::make_cylinder_surface(0.015, 0.02, 0., line).curve;
+      const auto measure =
+        [&](const std::string                         &what,
+            const ElectrophysiologySolver::Parameters &parameters) {
+          ElectrophysiologySolver solver(parameters, curve, comm);
+          const int               n_steps = 1000;
+          double                  t       = 0;
+          const double            dt      = n_steps * parameters.time_step;
+          const double            time    = least_time(3, comm, [&] {
+            solver.advance(t, dt);
+            t += dt;
+          });
+          report.line("nerve net, a substep, " + what,
+                      time / n_steps,
+                      solver.n_control_points());
+        };
+      ElectrophysiologySolver::Parameters parameters;
+      measure("for each control point", parameters);
+      parameters.sleep_tolerance = 0;
+      measure("all awake", parameters);
+      parameters.placement = Placement::control_coefficients;
+      measure("all awake, control coefficients", parameters);
+      parameters.neuron.table_interval = 0;
+      measure("the same without a table", parameters);
     }
 
     void
