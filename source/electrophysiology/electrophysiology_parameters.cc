@@ -25,7 +25,7 @@ namespace ephyra::electrophysiology
                       "5 us",
                       patterns::Positive("s"),
                       "Largest substep. The explicit ionic currents of the "
-                      "jellyfish neuron are stable up to about 90 us; 20 us "
+                      "jellyfish neuron are stable up to about 79 us; 20 us "
                       "make the wave 0.35 % too slow, 5 us 0.02 %.");
     prm.declare_entry("Resting time step",
                       "0.5 ms",

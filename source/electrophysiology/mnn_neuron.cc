@@ -380,6 +380,8 @@ namespace ephyra::electrophysiology
   double
   MnnNeuron::fastest_rate() const
   {
-    return spike_conductance(*this, 1e-12 * prm.capacitance);
+    // Runs diverge between 0.8 and 1.1 of the limit by the conductance alone.
+    constexpr double margin = 1.25;
+    return margin * spike_conductance(*this, 1e-12 * prm.capacitance);
   }
 } // namespace ephyra::electrophysiology
