@@ -22,7 +22,9 @@ namespace ephyra::elasticity
     std::ostringstream text;
     text << "small-strain E = " << 2. * mu * (1. + nu) << " Pa, nu = " << nu;
     if (active_strain.active())
-      text << "; the muscle shortens fibres by at most " << shortening;
+      text << "; the muscle shortens fibres by at most " << shortening
+           << "; Gauss points in an element: " << tables.nq1 << " x "
+           << tables.nq2;
     return text.str();
   }
 

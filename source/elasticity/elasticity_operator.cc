@@ -24,8 +24,8 @@ namespace ephyra::elasticity
     , active_strain(parameters.active_strain)
     , constraints(patch, parameters.sides, parameters.tie)
     , tables(patch,
-             {{patch.degree(0) + 1 + parameters.extra_points,
-               patch.degree(1) + 1 + parameters.extra_points}})
+             {{patch.degree(0) + 1 + parameters.n_extra_points()[0],
+               patch.degree(1) + 1 + parameters.n_extra_points()[1]}})
     , work(std::make_unique<internal::ElementWork>(tables))
   {
     for (int d = 0; d < 2; ++d)

@@ -2,6 +2,8 @@
 
 #include "ephyra/base/parameter_handler.h"
 
+#include <algorithm>
+
 namespace ephyra::elasticity
 {
   void
@@ -17,6 +19,12 @@ namespace ephyra::elasticity
                       patterns::Integer(-1, 8),
                       "Gauss points per direction and element beyond degree + "
                       "1; -1 is reduced integration.");
+    prm.declare_entry("Extra Gauss points across",
+                      "automatic",
+                      patterns::Selection("automatic|-1|0|1|2|3|4|5|6|7|8"),
+                      "The same for the direction theta^2 alone. automatic: as "
+                      "\"Extra Gauss points\", but at least 2 where there is a "
+                      "muscle, whose layer is thin.");
     const std::vector<std::string> variables{"r", "y", "t"};
     for (const std::string axis : {"Radial", "Axial"})
       prm.declare_entry(axis + " body force",
@@ -41,12 +49,24 @@ namespace ephyra::elasticity
       }
   }
 
+  std::array<int, 2>
+  ElasticityParameters::n_extra_points() const
+  {
+    const bool muscle = active_strain.form != ActiveStrain::Form::none;
+    return {{extra_points,
+             extra_points_across.value_or(muscle ? std::max(extra_points, 2)
+                                                 : extra_points)}};
+  }
+
   void
   ElasticityParameters::parse(ParameterHandler &prm)
   {
     material.parse(prm);
     density      = prm.get_double("Density");
     extra_points = prm.get_integer("Extra Gauss points");
+    if (const std::string across = prm.get("Extra Gauss points across");
+        across != "automatic")
+      extra_points_across = std::stoi(across);
     const std::vector<std::string> variables{"r", "y", "t"};
     body_force = {{Expression(prm.get("Radial body force"), variables),
                    Expression(prm.get("Axial body force"), variables)}};

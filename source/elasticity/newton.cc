@@ -65,7 +65,9 @@ namespace ephyra::elasticity
   void
   Newton::forget()
   {
-    factorized = false;
+    factorized       = false;
+    failed_attempts  = 0;
+    attempts_to_skip = 0;
   }
 
   double
@@ -135,12 +137,20 @@ namespace ephyra::elasticity
   NewtonStatus
   Newton::solve(NonlinearProblem &problem, std::vector<double> &x)
   {
-    if (!prm.independent_pressure)
-      return iterate(problem, x, false);
+    if (!prm.independent_pressure || attempts_to_skip > 0)
+      {
+        attempts_to_skip = std::max(0, attempts_to_skip - 1);
+        return iterate(problem, x, false);
+      }
     const std::vector<double> start = x;
     const NewtonStatus        first = iterate(problem, x, true);
     if (first.success)
-      return first;
+      {
+        failed_attempts = 0;
+        return first;
+      }
+    ++failed_attempts;
+    attempts_to_skip    = (1 << std::min(failed_attempts, 5)) - 1;
     x                   = start;
     NewtonStatus status = iterate(problem, x, false);
     status.iterations += first.iterations;

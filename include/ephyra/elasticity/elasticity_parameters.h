@@ -5,6 +5,7 @@
 #include "ephyra/elasticity/material.h"
 
 #include <array>
+#include <optional>
 
 namespace ephyra::elasticity
 {
@@ -21,6 +22,13 @@ namespace ephyra::elasticity
       {Expression("0", {"r", "y", "t"}), Expression("0", {"r", "y", "t"})}};
     /// Gauss points per direction: degree + 1 + this.
     int extra_points = 0;
+    /// In the direction theta^2; empty: as many, but two where there is a
+    /// muscle, whose layer is thin.
+    std::optional<int> extra_points_across;
+
+    /// The two in use.
+    std::array<int, 2>
+    n_extra_points() const;
 
     static void
     declare(ParameterHandler &prm);

@@ -129,6 +129,10 @@ namespace ephyra::elasticity
     linear_algebra::SparseMatrix                  matrix;
     std::unique_ptr<linear_algebra::DirectSolver> solver;
     bool                                          factorized = false;
-    std::vector<double>                           r, r_new, correction, x_new;
+    /// With independent pressures, in a row; each doubles how many calls go
+    /// without them.
+    int                 failed_attempts  = 0;
+    int                 attempts_to_skip = 0;
+    std::vector<double> r, r_new, correction, x_new;
   };
 } // namespace ephyra::elasticity
