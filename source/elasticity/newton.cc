@@ -18,7 +18,7 @@ namespace ephyra::elasticity
                       patterns::Integer(1),
                       "Most iterations of Newton's method in one step.");
     prm.declare_entry("Newton tolerance",
-                      "1e-9",
+                      "1e-11",
                       patterns::Double("", 1e-14, 1e-2),
                       "Residual over the sum of the absolute element forces "
                       "at which Newton's method has converged.");

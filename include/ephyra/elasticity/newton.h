@@ -72,7 +72,7 @@ namespace ephyra::elasticity
     struct Parameters
     {
       int    max_iterations = 30;
-      double tolerance      = 1e-9; ///< of the residual over its scale
+      double tolerance      = 1e-11; ///< of the residual over its scale
       bool   line_search    = true;
       /// The factorisation is kept while an iteration reduces the residual to
       /// this fraction or less; 0: a new one for every iteration.
