@@ -55,17 +55,21 @@ namespace ephyra::simulation
     body_case(BenchmarkReport          &report,
               const int                 degree,
               const std::array<int, 2> &elements,
+              const bool                muscle,
               const MPI_Comm            comm)
     {
-      const std::string name = "bell, " + std::to_string(elements[0]) + " x " +
+      const std::string name = std::string(muscle ? "active " : "") + "bell, " +
+                               std::to_string(elements[0]) + " x " +
                                std::to_string(elements[1]) + ", degree " +
                                std::to_string(degree) + ": ";
       const geometry::BodyPatch shape = geometry::make_bell(
         geometry::BellParameters(), 0., {{{degree, degree}}, elements});
+      elasticity::ElasticityOperator::Parameters parameters;
+      if (muscle)
+        parameters.active_strain.form =
+          elasticity::ActiveStrain::Form::unit_directors;
       elasticity::ElasticityOperator body(
-        elasticity::ElasticityOperator::Parameters(),
-        shape.patch,
-        MPI_COMM_SELF);
+        parameters, shape.patch, MPI_COMM_SELF);
       const double n       = body.n_unknowns();
       auto         pattern = body.sparsity_pattern();
       pattern.compress();
@@ -103,9 +107,10 @@ namespace ephyra::simulation
     run_flow_benchmark(report, comm);
     report.heading("solids and nerve net");
     tissue_case(report, comm);
-    body_case(report, 3, {{35, 6}}, comm);
-    body_case(report, 2, {{35, 6}}, comm);
-    body_case(report, 4, {{35, 6}}, comm);
-    body_case(report, 3, {{80, 12}}, comm);
+    body_case(report, 3, {{35, 6}}, false, comm);
+    body_case(report, 3, {{35, 6}}, true, comm);
+    body_case(report, 2, {{35, 6}}, false, comm);
+    body_case(report, 4, {{35, 6}}, false, comm);
+    body_case(report, 3, {{80, 12}}, false, comm);
   }
 } // namespace ephyra::simulation
