@@ -2,6 +2,7 @@
 
 #include "ephyra/base/log.h"
 #include "ephyra/base/timer_tree.h"
+#include "ephyra/electrophysiology/line_metric.h"
 #include "ephyra/splines/control_vector.h"
 
 #include <algorithm>
@@ -48,17 +49,7 @@ namespace ephyra::coupling
     position = reference;
     for (std::size_t i = 0; i < position.size(); ++i)
       position[i] += displacement[i];
-    line_of_patch.apply(position, x, 2);
-    line_of_patch.apply_derivative(0, position, tangent, 2);
-    const std::size_t n = x.size() / 2;
-    G11.resize(n);
-    r.resize(n);
-    for (std::size_t q = 0; q < n; ++q)
-      {
-        G11[q] = tangent[2 * q] * tangent[2 * q] +
-                 tangent[2 * q + 1] * tangent[2 * q + 1];
-        r[q] = x[2 * q];
-      }
+    electrophysiology::line_metric(line_of_patch, position, G11, r);
     solver.set_deformed_metric(G11, r);
     const StepStatus status = solver.advance(t, dt);
     if (status.success)

@@ -220,9 +220,7 @@ namespace ephyra::elasticity
         if (fresh)
           {
             if (!assembled)
-              {
-                assemble(r);
-              }
+              assemble(r);
             assembled = false;
             if (!factorize(status))
               return status;

@@ -2,6 +2,7 @@
 
 #include "ephyra/base/exceptions.h"
 #include "ephyra/base/parameter_handler.h"
+#include "ephyra/electrophysiology/line_metric.h"
 #include "ephyra/splines/control_vector.h"
 
 namespace ephyra::simulation
@@ -91,25 +92,14 @@ namespace ephyra::simulation
     const std::vector<double> u        = displacement(t);
     for (std::size_t i = 0; i < position.size(); ++i)
       position[i] += u[i];
-    std::vector<double> x, tangent;
-    at_metric_points.apply(position, x, 2);
-    at_metric_points.apply_derivative(0, position, tangent, 2);
-    const std::size_t n = x.size() / 2;
-    G11.resize(n);
-    r.resize(n);
-    for (std::size_t q = 0; q < n; ++q)
-      {
-        G11[q] = tangent[2 * q] * tangent[2 * q] +
-                 tangent[2 * q + 1] * tangent[2 * q + 1];
-        r[q] = x[2 * q];
-        EphyraThrowIf(
-          !(r[q] > 0),
-          DivergedError,
-          "The prescribed motion puts the line of the tissue at r = "
-            << r[q] << " m at theta^1 = " << solver.metric_points()[q]
-            << ", t = " << t
-            << " s, where it has to be positive; change "
-               "\"Tissue/Motion\".");
-      }
+    electrophysiology::line_metric(at_metric_points, position, G11, r);
+    for (std::size_t q = 0; q < r.size(); ++q)
+      EphyraThrowIf(!(r[q] > 0),
+                    DivergedError,
+                    "The prescribed motion puts the line of the tissue at r = "
+                      << r[q] << " m at theta^1 = " << solver.metric_points()[q]
+                      << ", t = " << t
+                      << " s, where it has to be positive; change "
+                         "\"Tissue/Motion\".");
   }
 } // namespace ephyra::simulation

@@ -56,10 +56,10 @@ namespace ephyra::coupling
 
     const splines::NestedPatch                 nested;
     electrophysiology::ElectrophysiologySolver solver;
-    splines::EvaluationMatrix line_of_patch; ///< patch to metric points
-    splines::EvaluationMatrix to_mechanics;  ///< line to activation points
-    std::vector<double>       reference;     ///< positions of the patch
-    std::vector<double>       position, x, tangent, G11, r; ///< work space
+    splines::EvaluationMatrix line_of_patch;    ///< patch to metric points
+    splines::EvaluationMatrix to_mechanics;     ///< line to activation points
+    std::vector<double>       reference;        ///< positions of the patch
+    std::vector<double>       position, G11, r; ///< work space
     std::vector<double>       coefficients, gamma;
   };
 } // namespace ephyra::coupling
