@@ -4,6 +4,7 @@ space-time maps of the profiles, and the vorticity with the body."""
 
 import argparse
 import pathlib
+import re
 import sys
 
 import matplotlib
@@ -28,6 +29,16 @@ def find_column(columns, name):
     return next((c for c in columns if c.endswith(name)), None)
 
 
+def scaled_column(table, text, file):
+    """The column "NAME", "NAME * FACTOR", "NAME + SHIFT" or "NAME * FACTOR + SHIFT"."""
+    number = r"([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)"
+    match = re.fullmatch(rf"(.*?)(?:\s*\*\s*{number})?(?:\s+([-+])\s*{number})?", text)
+    name, factor, sign, shift = (text, 1, "+", 0) if text in table else match.groups()
+    if name not in table:
+        raise SystemExit(f"plot: {file} has no column '{name}', but {', '.join(table)}.")
+    return table[name] * float(factor or 1) + float(f"{sign or '+'}{shift or 0}")
+
+
 def parse_overlay(text):
     """FILE[; x column; y column; column of the run]: x, y, where to draw it."""
     parts = [part.strip() for part in text.split(";")]
@@ -35,16 +46,15 @@ def parse_overlay(text):
     names = list(table)
     x = parts[1] if len(parts) > 1 else names[0]
     y = parts[2] if len(parts) > 2 else names[1]
-    for name in (x, y):
-        if name not in table:
-            raise SystemExit(f"plot: {parts[0]} has no column '{name}', but {', '.join(names)}.")
-    return {"x": table[x], "y": table[y], "column": parts[3] if len(parts) > 3 else y,
-            "label": pathlib.Path(parts[0]).stem}
+    return {"x": scaled_column(table, x, parts[0]), "y": scaled_column(table, y, parts[0]),
+            "column": parts[3] if len(parts) > 3 else y, "label": pathlib.Path(parts[0]).stem}
 
 
 def plot_motion(folder, target, extra, overlays):
     """Curves of statistics.csv over time, one below the other."""
     table = ephyra_io.read_csv(folder / "statistics.csv")
+    if "height [m]" in table:
+        table["fineness [-]"] = table["height [m]"] / (2 * table["widest radius [m]"])
     time = find_column(table, "time [s]")
     wanted = [find_column(table, name) for name in MOTION + extra]
     wanted = list(dict.fromkeys(name for name in wanted if name))
@@ -204,11 +214,13 @@ def main(arguments):
     parser.add_argument("folder", help="output folder of a run")
     parser.add_argument("--output", help="where the pictures go (default: FOLDER/pictures)")
     parser.add_argument("--column", action="append", default=[],
-                        help="a further column of statistics.csv to draw; repeatable")
+                        help="a further column of statistics.csv to draw, or \"fineness [-]\", height "
+                        "over widest diameter; repeatable")
     parser.add_argument("--overlay", action="append", default=[],
                         metavar='"FILE; x; y; COLUMN"',
                         help="a CSV file to lay over the curve of a column of the run; its x "
-                        "and y columns are the first two unless named; repeatable")
+                        "and y columns are the first two unless named, and may be scaled and "
+                        'shifted, as in "speed [cm/s] * 0.01" or "time [s] - 0.1"; repeatable')
     parser.add_argument("--time", action="append", type=float, default=[],
                         help="time in s of a snapshot; repeatable")
     parser.add_argument("--snapshots", type=int, default=4,

@@ -115,8 +115,10 @@ def check_calibrate(arguments):
         call_binary("--validate", options.file, *sets, "--set", f"{one.entry} = {one.text(x)}")
 
 
-def check_plot(arguments):
+def check_plot(command, arguments):
     script = "plot_table.py" if arguments and arguments[0].endswith(".csv") else "plot_run.py"
+    if command == "stroke":
+        script = "plot_stroke.py"
     source = (ROOT / "postprocess" / script).read_text(encoding="utf-8")
     for word in arguments:
         if word.startswith("--") and f'"{word}"' not in source:
@@ -137,8 +139,8 @@ def check_launcher(arguments):
         check_sweep(arguments)
     elif command == "calibrate":
         check_calibrate(arguments)
-    elif command == "plot":
-        check_plot(arguments)
+    elif command in ("plot", "stroke"):
+        check_plot(command, arguments)
     elif command in ("--help", "help", "build", "test", "bench"):
         help_text = subprocess.run([str(ROOT / "ephyra"), "--help"], capture_output=True,
                                    text=True, check=True).stdout

@@ -247,6 +247,10 @@ namespace ephyra
                       std::to_string(step_interval),
                       patterns::Integer(0),
                       "Steps between two of them; 0: not by steps.");
+    prm.declare_entry("Start time",
+                      "0 s",
+                      patterns::Double("s", 0),
+                      "Time before which there are none.");
   }
 
   void
@@ -254,11 +258,14 @@ namespace ephyra
   {
     time  = prm.get_double("Time interval");
     steps = prm.get_integer("Step interval");
+    start = prm.get_double("Start time");
   }
 
   bool
   Interval::due(const TimeControl &control) const
   {
+    if (control.time() < start * (1 - interval_round_off))
+      return false;
     if (control.n_steps() == 0)
       return on();
     const auto count = [this](const double t) {

@@ -59,6 +59,12 @@ namespace ephyra::simulation
                         "Refines a whole scene at once: multiplies the numbers "
                         "of elements and divides the spacings of the grid and "
                         "the time steps.");
+      prm.declare_entry(
+        "Refined parts",
+        "elements, grid, time step, nerve net step",
+        patterns::List(
+          patterns::Selection("elements|grid|time step|nerve net step"), 1),
+        "What Refinement changes.");
       prm.declare_entry("Nested elements",
                         "34",
                         patterns::Integer(1, 100000),
@@ -158,6 +164,7 @@ namespace ephyra::simulation
                                : name == "nerve net" ? Muscle::nerve_net
                                                      : Muscle::none;
       refinement             = prm.get_double("Refinement");
+      refined_parts          = prm.get_list("Refined parts");
       nested_elements        = prm.get_integer("Nested elements");
       distributed_unknowns   = prm.get_integer("Distributed body from");
 
@@ -192,7 +199,7 @@ namespace ephyra::simulation
     {
       const ParameterHandler::Section section(prm, "Time");
       time.parse(prm);
-      time.time_step /= refinement;
+      time.time_step /= refinement_of("time step");
       if (time.adaptive && !flow)
         prm.add_error("Time step control",
                       "adaptive steps follow the flow, and there is none; set "
@@ -209,7 +216,7 @@ namespace ephyra::simulation
       {
         const ParameterHandler::Section section(prm, "Body");
         body.parse(prm);
-        refine(body.discretization.n_elements, refinement);
+        refine(body.discretization.n_elements, refinement_of("elements"));
       }
     if (elasticity)
       body_sampling.parse(prm);
@@ -221,14 +228,15 @@ namespace ephyra::simulation
         crossing_level  = prm.get_double("Crossing level");
         tissue_line.parse(prm);
         tissue_motion.parse(prm);
-        refine(tissue_line.discretization.n_elements, refinement);
+        refine(tissue_line.discretization.n_elements,
+               refinement_of("elements"));
       }
     if (electrophysiology && !elasticity)
       tissue_sampling.parse(prm);
     if (electrophysiology)
       {
         tissue.parse(prm);
-        tissue.time_step /= refinement;
+        tissue.time_step /= refinement_of("nerve net step");
       }
     if (muscle == Muscle::prescribed)
       activation.parse(prm);
@@ -248,8 +256,8 @@ namespace ephyra::simulation
     if (flow)
       {
         fluid.parse(prm);
-        refine(fluid.grid.r, refinement);
-        refine(fluid.grid.y, refinement);
+        refine(fluid.grid.r, refinement_of("grid"));
+        refine(fluid.grid.y, refinement_of("grid"));
         flow_sampling.parse(prm);
         flow_regions = FlowRegion::parse_all(prm);
         tracers      = TracerParameters::parse_all(prm);
@@ -270,6 +278,15 @@ namespace ephyra::simulation
         coupling.parse(prm);
       }
     check_scene(*this, prm);
+  }
+
+  double
+  Scene::refinement_of(const std::string &part) const
+  {
+    return std::find(refined_parts.begin(), refined_parts.end(), part) ==
+               refined_parts.end()
+             ? 1
+             : refinement;
   }
 
   std::string

@@ -114,6 +114,18 @@ class PlotRun(unittest.TestCase):
             picture = self.folder / "pictures" / f"{name}.png"
             self.assertGreater(picture.stat().st_size, 5000)
 
+    def test_overlays_are_scaled_and_shifted(self):
+        file = self.folder / "other.csv"
+        file.write_text("t + 1,v [cm/s]\n0,1\n1,3\n")
+        for x, y, expected in (("t + 1", "v [cm/s]", [0, 1, 1, 3]),
+                               ("t + 1 - 0.5", "v [cm/s] * 1e-2", [-0.5, 0.5, 0.01, 0.03]),
+                               ("t + 1 * 2 + 1", "v [cm/s] * -2", [1, 3, -2, -6])):
+            overlay = plot_run.parse_overlay(f"{file}; {x}; {y}; speed")
+            np.testing.assert_allclose([*overlay["x"], *overlay["y"]], expected)
+        for wrong in ("u", "v", "v [cm/s] * x"):
+            with self.assertRaisesRegex(SystemExit, "has no column"):
+                plot_run.parse_overlay(f"{file}; t + 1; {wrong}; speed")
+
     def test_nothing_to_draw(self):
         with contextlib.redirect_stderr(io.StringIO()) as screen:
             self.assertEqual(plot_run.main([str(self.folder)]), 1)

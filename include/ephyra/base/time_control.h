@@ -108,9 +108,10 @@ namespace ephyra
   {
     double       time  = 0; ///< s, 0: never
     std::int64_t steps = 0; ///< 0: never
+    double       start = 0; ///< s; nothing is due before
 
-    /// Entries "Time interval" and "Step interval" of the subsection that is
-    /// open.
+    /// Entries "Time interval", "Step interval" and "Start time" of the
+    /// subsection that is open.
     static void
     declare(ParameterHandler  &prm,
             const std::string &time_interval,

@@ -36,14 +36,15 @@ namespace ephyra::simulation
     };
 
     // --- section Scene ----------------------------------------------------
-    bool   electrophysiology = false;
-    bool   elasticity        = false;
-    bool   statics           = false; ///< equilibrium instead of motion
-    bool   flow              = false;
-    bool   rigid_bodies      = false;
-    Muscle muscle            = Muscle::none;
-    double refinement        = 1;  ///< of cells, elements and time steps
-    int    nested_elements   = 34; ///< of the line in each element of the body
+    bool                     electrophysiology = false;
+    bool                     elasticity        = false;
+    bool                     statics = false; ///< equilibrium instead of motion
+    bool                     flow    = false;
+    bool                     rigid_bodies = false;
+    Muscle                   muscle       = Muscle::none;
+    double                   refinement = 1; ///< of what "Refined parts" names
+    std::vector<std::string> refined_parts;  ///< of the scene, by their names
+    int nested_elements      = 34; ///< of the line in each element of the body
     int distributed_unknowns = 20000; ///< of a body: from here on it is shared
                                       ///< among the ranks
 
@@ -87,5 +88,11 @@ namespace ephyra::simulation
     /// What is on, in words, for the log.
     std::string
     description() const;
+
+  private:
+    /// The refinement of one of the parts that can be refined: 1 where it is
+    /// not named.
+    double
+    refinement_of(const std::string &part) const;
   };
 } // namespace ephyra::simulation

@@ -256,6 +256,13 @@ BOOST_AUTO_TEST_CASE(intervals)
   interval.time = 0.03; // shorter than the steps
   BOOST_TEST(steps_when_due(tenths, interval).size() == 11u);
 
+  interval.time  = 0.25;
+  interval.start = 0.5; // which is five steps of 0.1, by round-off less
+  BOOST_TEST(steps_when_due(tenths, interval) ==
+               (std::vector<std::int64_t>{5, 8, 10}),
+             boost::test_tools::per_element());
+  interval.start = 0.;
+
   // Every millisecond of a run of 1e5 steps: exactly 1000 times, and at the
   // start.
   interval.time = 1e-3;
