@@ -108,6 +108,16 @@ namespace ephyra::coupling
     return solver.body().centre_of_mass(solver.old_displacement());
   }
 
+  double
+  DeformableBody::speed() const
+  {
+    // The centre of mass is affine in the displacement.
+    const elasticity::ElasticityOperator &body = solver.body();
+    const std::vector<double>             rest(body.n_unknowns(), 0.);
+    return body.centre_of_mass(solver.old_velocity()) -
+           body.centre_of_mass(rest);
+  }
+
   void
   DeformableBody::serialize(Archive &archive)
   {

@@ -13,18 +13,19 @@ namespace ephyra::diagnostics
     : patch(patch)
     , outer(n_samples + 1)
     , rest_radius(0.)
-    , inner_rest_radius(
-        position(std::array<double, 2>{{1., 0.}},
-                 std::vector<double>(2 * patch.n_control_points(), 0.))
-          .r)
+    , inner_rest_radius(0.)
   {
     const std::vector<double> rest(2 * patch.n_control_points(), 0.);
+    patch.evaluate_basis({{1., 0.}}, inner_margin);
     for (int k = 0; k <= n_samples; ++k)
       {
         patch.evaluate_basis({{static_cast<double>(k) / n_samples, 1.}},
                              outer[k]);
         rest_radius = std::max(rest_radius, position(outer[k], rest).r);
       }
+    const double inner = position(inner_margin, rest).r;
+    if (inner > 1e-9 * rest_radius)
+      inner_rest_radius = inner;
   }
 
   splines::Point
@@ -52,6 +53,17 @@ namespace ephyra::diagnostics
     return position(basis, displacement);
   }
 
+  BodyKinematics::Radii
+  BodyKinematics::radii(const std::vector<double> &displacement) const
+  {
+    Radii result{position(outer.back(), displacement).r,
+                 position(inner_margin, displacement).r,
+                 0.};
+    for (const splines::BasisValues<2> &basis : outer)
+      result.widest = std::max(result.widest, position(basis, displacement).r);
+    return result;
+  }
+
   void
   BodyKinematics::evaluate(const std::vector<double> &displacement,
                            Record                    &record) const
@@ -65,9 +77,8 @@ namespace ephyra::diagnostics
         bottom                 = k == 0 ? x.y : std::min(bottom, x.y);
       }
     const splines::Point margin = position(outer.back(), displacement);
-    const splines::Point inner =
-      position(std::array<double, 2>{{1., 0.}}, displacement);
-    const splines::Point apex = position(outer.front(), displacement);
+    const splines::Point inner  = position(inner_margin, displacement);
+    const splines::Point apex   = position(outer.front(), displacement);
 
     record.add("margin radius [m]", margin.r);
     record.add("inner margin radius [m]", inner.r);
@@ -77,7 +88,7 @@ namespace ephyra::diagnostics
     record.add("margin y [m]", margin.y);
     record.add("drop of margin diameter [-]", 1. - margin.r / rest_radius);
     record.add("drop of widest diameter [-]", 1. - widest / rest_radius);
-    if (inner_rest_radius > 1e-9 * rest_radius)
+    if (inner_rest_radius > 0.)
       record.add("drop of inner margin diameter [-]",
                  1. - inner.r / inner_rest_radius);
   }

@@ -143,6 +143,10 @@ namespace ephyra::simulation
       const ParameterHandler::Section section(prm, "Coupling");
       coupling::CouplingParameters::declare(prm);
     }
+    {
+      const ParameterHandler::Section section(prm, "Cycles");
+      diagnostics::CycleParameters::declare(prm);
+    }
   }
 
   void
@@ -276,6 +280,18 @@ namespace ephyra::simulation
       {
         const ParameterHandler::Section section(prm, "Coupling");
         coupling.parse(prm);
+      }
+    if (flow && elasticity)
+      {
+        const ParameterHandler::Section section(prm, "Cycles");
+        cycles.parse(prm);
+        const auto &pacing = tissue.stimulus;
+        if (!cycles.on() && electrophysiology && pacing.frequency > 0)
+          cycles = {1. / pacing.frequency, pacing.start};
+        if (cycles.on() && cycles.period < 10 * time.time_step)
+          prm.add_error("Period",
+                        "a cycle has less than ten time steps; make it longer "
+                        "or the steps shorter.");
       }
     check_scene(*this, prm);
   }

@@ -145,6 +145,7 @@ namespace ephyra::simulation
       serialize(archive);
       const Archive::Group group(archive, "results");
       output->serialize(archive);
+      model->serialize_observations(archive);
     });
     if (!state.warning.empty())
       log().warning(state.warning);
@@ -165,6 +166,7 @@ namespace ephyra::simulation
       serialize(archive);
       const Archive::Group group(archive, "results");
       output->serialize(archive);
+      model->serialize_observations(archive);
     });
     last_checkpoint = time->n_steps();
   }
@@ -185,6 +187,7 @@ namespace ephyra::simulation
   {
     const TimerTree::Scope scope(timer(), "output");
     const auto            &when = scene.output;
+    model->observe(time->time(), *output);
     if (when.statistics.due(*time))
       {
         const Record record = statistics();

@@ -35,6 +35,13 @@ namespace ephyra::simulation
     body->mechanics().allow_coupling(surface->coupling_pattern());
     scheme = coupling::make_fluid_structure_scheme(
       scene.coupling, *flow, *body, *surface);
+    if (scene.cycles.on())
+      cycles = std::make_unique<diagnostics::Cycles>(
+        scene.cycles,
+        diagnostics::Cycles::Swimmer{body->shape().widest_at_rest(),
+                                     body->shape().inner_margin_at_rest(),
+                                     body->mechanics().measures().mass,
+                                     scene.muscle != Scene::Muscle::none});
     body_output    = std::make_unique<BodyOutput>(*body, scene.body_sampling);
     surface_output = std::make_unique<SurfaceOutput>(*body, *surface, *flow);
     flow_probes    = std::make_unique<FlowProbes>(scene.flow_sampling,
@@ -109,6 +116,31 @@ namespace ephyra::simulation
   }
 
   void
+  SwimmerModel::observe(const double time, RunOutput &output)
+  {
+    if (!cycles)
+      return;
+    const auto radii =
+      body->shape().radii(body->mechanics().old_displacement());
+    for (const auto &[end, row] :
+         cycles->add({time,
+                      body->centre_of_mass(),
+                      body->speed(),
+                      radii.margin,
+                      radii.inner_margin,
+                      radii.widest,
+                      body->mechanics().energy().muscle}))
+      output.add_row("cycles", end, row);
+  }
+
+  void
+  SwimmerModel::serialize_observations(Archive &archive)
+  {
+    if (cycles)
+      cycles->serialize(archive);
+  }
+
+  void
   SwimmerModel::write_probes(const double time, RunOutput &output) const
   {
     body_output->write_probes(time, output);
@@ -141,6 +173,8 @@ namespace ephyra::simulation
     record.add("flow cells [-]", flow->n_cells());
     record.add("body unknowns [-]", body->n_unknowns());
     flow_probes->add_results(*flow, record);
+    if (cycles)
+      cycles->add_results(record);
   }
 
   void

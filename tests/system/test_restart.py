@@ -45,10 +45,12 @@ class RestartTest(runs.SystemTest):
 
     def test_swim_with_forcing_as_load(self):
         self.check("swim.prm", series=("flow", "body", "dye"))
-        for name in ("potential", "activation", "radial_displacement"):
-            part, whole = (self.table(run, f"profiles/{name}.csv") for run in ("part", "whole"))
+        for name in ("cycles", *(f"profiles/{name}" for name in
+                                 ("potential", "activation", "radial_displacement"))):
+            part, whole = (self.table(run, f"{name}.csv") for run in ("part", "whole"))
             self.assertEqual(part.names, whole.names)
-            self.assertEqual(part.values.tolist(), whole.values.tolist())
+            runs.numpy.testing.assert_array_equal(part.values, whole.values, name)
+        self.assertEqual(self.table("whole", "cycles.csv")["cycle [-]"].tolist(), [1, 2, 3])
 
     def test_swim_with_fixed_point(self):
         self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"),

@@ -77,6 +77,14 @@ namespace ephyra::coupling
     /// At the accepted level, y in m.
     double
     centre_of_mass() const;
+    /// Of the centre of mass along y at the accepted level, m/s.
+    double
+    speed() const;
+    const diagnostics::BodyKinematics &
+    shape() const
+    {
+      return kinematics;
+    }
     double
     newmark_gamma() const
     {

@@ -25,6 +25,26 @@ namespace ephyra::diagnostics
     void
     evaluate(const std::vector<double> &displacement, Record &record) const;
 
+    /// Radii of one instant, m.
+    struct Radii
+    {
+      double margin, inner_margin, widest;
+    };
+    Radii
+    radii(const std::vector<double> &displacement) const;
+    /// The widest radius and the inner radius of the margin (0: on the axis)
+    /// at rest, m.
+    double
+    widest_at_rest() const
+    {
+      return rest_radius;
+    }
+    double
+    inner_margin_at_rest() const
+    {
+      return inner_rest_radius;
+    }
+
     /// Present position of a point, m.
     splines::Point
     position(const std::array<double, 2> &theta,
@@ -33,6 +53,7 @@ namespace ephyra::diagnostics
   private:
     const splines::NurbsPatch<2>         patch;
     std::vector<splines::BasisValues<2>> outer; ///< at the samples
+    splines::BasisValues<2>              inner_margin;
     double                               rest_radius, inner_rest_radius;
 
     splines::Point

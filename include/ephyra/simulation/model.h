@@ -38,6 +38,16 @@ namespace ephyra::simulation
     {
       return std::numeric_limits<double>::infinity();
     }
+    /// After every accepted step and at the start, for what is recorded of
+    /// the time between rows; its state is kept in checkpoints alone.
+    virtual void
+    observe(double, RunOutput &)
+    {
+    }
+    virtual void
+    serialize_observations(Archive &)
+    {
+    }
     /// Rows of probes/, as often as statistics.
     virtual void
     write_probes(double, RunOutput &) const

@@ -3,6 +3,7 @@
 #include "ephyra/base/parameter_handler.h"
 #include "ephyra/base/time_control.h"
 #include "ephyra/coupling/fluid_structure.h"
+#include "ephyra/diagnostics/cycles.h"
 #include "ephyra/elasticity/elasticity_solver.h"
 #include "ephyra/elasticity/statics.h"
 #include "ephyra/electrophysiology/electrophysiology_solver.h"
@@ -75,6 +76,7 @@ namespace ephyra::simulation
     immersed_boundary::Parameters                          immersed_boundary;
     std::vector<immersed_boundary::RigidBody::Parameters>  bodies;
     coupling::CouplingParameters                           coupling;
+    diagnostics::CycleParameters                           cycles;
 
     std::vector<std::string> warnings; ///< for the log
 

@@ -3,6 +3,7 @@
 #include "ephyra/coupling/deformable_body.h"
 #include "ephyra/coupling/fluid_structure.h"
 #include "ephyra/coupling/wet_surface.h"
+#include "ephyra/diagnostics/cycles.h"
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/fluid/moving_window.h"
 #include "ephyra/simulation/body_output.h"
@@ -36,6 +37,10 @@ namespace ephyra::simulation
     double
     iterations() const override;
     void
+    observe(double time, RunOutput &output) override;
+    void
+    serialize_observations(Archive &archive) override;
+    void
     write_probes(double time, RunOutput &output) const override;
     void
     write_profiles(double time, RunOutput &output) const override;
@@ -52,6 +57,7 @@ namespace ephyra::simulation
     std::unique_ptr<fluid::MovingWindow>      window; ///< null: none
     std::unique_ptr<coupling::WetSurface>     surface;
     std::unique_ptr<coupling::Scheme>         scheme;
+    std::unique_ptr<diagnostics::Cycles>      cycles; ///< null: none
     std::unique_ptr<BodyOutput>               body_output;
     std::unique_ptr<SurfaceOutput>            surface_output;
     std::unique_ptr<FlowProbes>               flow_probes;
