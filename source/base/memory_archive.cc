@@ -5,6 +5,11 @@
 
 namespace ephyra
 {
+  MemoryArchive::MemoryArchive(const bool for_repeated_step)
+    : for_repeated_step(for_repeated_step)
+  {
+  }
+
   void
   MemoryArchive::begin_writing()
   {
@@ -32,6 +37,12 @@ namespace ephyra
   MemoryArchive::reading() const
   {
     return is_reading;
+  }
+
+  bool
+  MemoryArchive::repeats_step() const
+  {
+    return for_repeated_step;
   }
 
   void

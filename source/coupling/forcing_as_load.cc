@@ -21,6 +21,7 @@ namespace ephyra::coupling
                   "Coupling/Scheme = forcing as load needs a flow with one "
                   "projection a step; set Fluid/Time scheme = "
                   "ab2 or use Scheme = sequential.");
+    flow.keep_predicted(false);
   }
 
   StepStatus

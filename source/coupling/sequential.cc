@@ -28,6 +28,7 @@ namespace ephyra::coupling
     : FluidStructureScheme(flow, body, surface)
     , load_kind(load_kind)
   {
+    flow.keep_predicted(false);
   }
 
   StepStatus

@@ -280,6 +280,7 @@ namespace ephyra::fluid
       current.copy_from(predicted);
     else
       std::swap(current, predicted);
+    ++predictions;
   }
 
   void

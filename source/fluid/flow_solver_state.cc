@@ -1,4 +1,5 @@
 // What a flow says about itself: CFL number, state, fields for output.
+#include "ephyra/base/exceptions.h"
 #include "ephyra/fluid/flow_output.h"
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/fluid/speed_peak.h"
@@ -69,7 +70,35 @@ namespace ephyra::fluid
   FlowSolver::serialize(Archive &archive)
   {
     const Archive::Group group(archive, "flow");
-    const int            n_y = the_grid.y.n_cells;
+    if (archive.repeats_step() && can_take_back())
+      {
+        if (archive.reading())
+          take_back();
+        predictions = 0;
+      }
+    else
+      serialize_fields(archive);
+    archive.value("time", time);
+    archive.value("time step", time_step);
+    std::int64_t is_started = started ? 1 : 0,
+                 directions = implicit.r + 2 * implicit.y;
+    archive.value("started", is_started);
+    archive.value("implicit directions", directions);
+    if (!archive.reading())
+      return;
+    started    = is_started != 0;
+    implicit.r = (directions & 1) != 0;
+    implicit.y = (directions & 2) != 0;
+    boundary.set_time(time);
+    update_ghosts();
+    new_pressure.exchange_halo();
+    boundary.fill_pressure_ghosts(new_pressure);
+  }
+
+  void
+  FlowSolver::serialize_fields(Archive &archive)
+  {
+    const int  n_y  = the_grid.y.n_cells;
     const auto save = [&](const std::string &name, VelocityField &field) {
       archive.rows(name + " r",
                    field.r.row(the_grid.first_row),
@@ -92,22 +121,25 @@ namespace ephyra::fluid
       "pressure", pressure.row(the_grid.first_row), pressure.layout(n_y));
     if (parameters.scheme == TimeScheme::ab2)
       save("history", history);
-    archive.value("time", time);
-    archive.value("time step", time_step);
     archive.value("previous time step", previous_time_step);
-    std::int64_t is_started = started ? 1 : 0,
-                 directions = implicit.r + 2 * implicit.y;
-    archive.value("started", is_started);
-    archive.value("implicit directions", directions);
-    if (!archive.reading())
+  }
+
+  bool
+  FlowSolver::can_take_back() const
+  {
+    return n_stages() == 1 && !keeps_predicted;
+  }
+
+  void
+  FlowSolver::take_back()
+  {
+    EphyraAssert(predictions <= 1, "only one step can be taken back");
+    if (predictions == 0)
       return;
-    started    = is_started != 0;
-    implicit.r = (directions & 1) != 0;
-    implicit.y = (directions & 2) != 0;
-    boundary.set_time(time);
-    update_ghosts();
-    new_pressure.exchange_halo();
-    boundary.fill_pressure_ghosts(new_pressure);
+    std::swap(current, predicted);
+    std::swap(old_pressure, new_pressure);
+    projected          = true;
+    previous_time_step = 0; // the history is that of the step taken back
   }
 
   void

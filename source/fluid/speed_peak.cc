@@ -1,5 +1,7 @@
 #include "ephyra/fluid/speed_peak.h"
 
+#include <Eigen/Core>
+
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -21,20 +23,6 @@ namespace ephyra::fluid
       peak.v_r = 0.5 * (v.r(i, j) + v.r(i + 1, j));
       peak.v_y = 0.5 * (v.y(i, j) + v.y(i, j + 1));
     }
-
-    /// Rate of a cell; its largest in a row, and the sum, without branches.
-    struct Row
-    {
-      const double *u, *up, *w, *width;
-      double        inv_dr;
-
-      double
-      rate(const int j) const
-      {
-        return 0.5 * (std::abs(u[j]) + std::abs(up[j])) * inv_dr +
-               0.5 * (std::abs(w[j]) + std::abs(w[j + 1])) / width[j];
-      }
-    };
   } // namespace
 
   std::string
@@ -49,37 +37,32 @@ namespace ephyra::fluid
   SpeedPeak
   local_speed_peak(const VelocityField &velocity)
   {
-    const StaggeredGrid &grid = velocity.grid();
-    const int            n_y  = grid.y.n_cells;
+    using Values                = Eigen::Map<const Eigen::ArrayXd>;
+    const StaggeredGrid &grid   = velocity.grid();
+    const int            n_y    = grid.y.n_cells;
+    const Eigen::ArrayXd inv_dy = Values(grid.y.width.data(), n_y).inverse();
     SpeedPeak            peak;
     for (int i = grid.first_row; i < grid.end_row(); ++i)
       {
-        const Row row{velocity.r.row(i),
-                      velocity.r.row(i + 1),
-                      velocity.y.row(i),
-                      grid.y.width.data(),
-                      1. / grid.r.width[i]};
-        double    largest = 0, zero = 0;
-        for (int j = 0; j < n_y; ++j)
+        const double *const w = velocity.y.row(i);
+        const auto          rate =
+          0.5 / grid.r.width[i] *
+            (Values(velocity.r.row(i), n_y).abs() +
+             Values(velocity.r.row(i + 1), n_y).abs()) +
+          0.5 * inv_dy * (Values(w, n_y).abs() + Values(w + 1, n_y).abs());
+        const double largest = rate.maxCoeff<Eigen::PropagateNaN>();
+        if (std::isfinite(largest))
           {
-            const double rate = row.rate(j);
-            largest           = rate > largest ? rate : largest;
-            zero += 0. * rate;
-          }
-        const bool finite = zero == 0.; // comparisons drop NaN
-        if (finite && largest <= peak.rate)
-          continue;
-        int place = 0;
-        if (finite)
-          {
-            while (row.rate(place) != largest)
-              ++place;
+            if (largest <= peak.rate)
+              continue;
+            Eigen::Index place = 0;
+            rate.maxCoeff(&place);
             peak.rate = largest;
-            set_cell(velocity, i, place, peak);
+            set_cell(velocity, i, static_cast<int>(place), peak);
             continue;
           }
         for (int j = 0; j < n_y; ++j)
-          if (!std::isfinite(row.rate(j)))
+          if (!std::isfinite(rate(j)))
             {
               if (peak.n_not_finite == 0)
                 {

@@ -33,6 +33,13 @@ namespace ephyra
     /// True where values are read, false where they are written.
     virtual bool
     reading() const = 0;
+    /// True where the state only serves to repeat the step that follows: a
+    /// solver may leave out what it can take back by itself.
+    virtual bool
+    repeats_step() const
+    {
+      return false;
+    }
 
     virtual void
     value(const std::string &name, double &x) = 0;

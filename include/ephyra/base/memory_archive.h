@@ -16,6 +16,9 @@ namespace ephyra
   class MemoryArchive : public Archive
   {
   public:
+    /// @p for_repeated_step: see Archive::repeats_step().
+    explicit MemoryArchive(bool for_repeated_step = false);
+
     void
     begin_writing();
     /// Throws where nothing was written before.
@@ -26,6 +29,8 @@ namespace ephyra
 
     bool
     reading() const override;
+    bool
+    repeats_step() const override;
     void
     value(const std::string &name, double &x) override;
     void
@@ -45,6 +50,7 @@ namespace ephyra
     void
     transfer(void *data, std::size_t n_bytes);
 
+    const bool                 for_repeated_step;
     std::vector<unsigned char> buffer;
     std::size_t                position   = 0;
     bool                       is_reading = false;

@@ -185,7 +185,10 @@ namespace ephyra::fluid
       return *poisson_solver;
     }
 
-    /// Named "flow" state: velocity, pressure, history; for restarts.
+    /// Named "flow" state: velocity, pressure, history; for restarts. Where it
+    /// serves to repeat a step, and no stage was reset, the fields at the start
+    /// of the step are still there: nothing is copied, and a step that is taken
+    /// back begins without history, by one explicit Euler step.
     void
     serialize(Archive &archive);
     /// Adds velocity, pressure and vorticity in cell centres. The pieces of
@@ -213,6 +216,13 @@ namespace ephyra::fluid
                          DistributedArray *pressure);
     void
     correct_pressure_for_implicit_viscosity(double step);
+    void
+    serialize_fields(Archive &archive);
+    /// Whether velocity and pressure of the start of a step outlast it.
+    bool
+    can_take_back() const;
+    void
+    take_back();
 
     const Parameters               parameters;
     StaggeredGrid                  the_grid; ///< moved by shift_window() alone
@@ -230,7 +240,8 @@ namespace ephyra::fluid
     double             time = 0, time_step = 0, previous_time_step = 0;
     bool               projected       = true;
     bool               keeps_predicted = true;
-    bool               started = false; ///< pressure known, history valid
+    bool               started     = false; ///< pressure known, history valid
+    int                predictions = 0;     ///< since the last serialize()
     ImplicitDirections implicit;
   };
 } // namespace ephyra::fluid

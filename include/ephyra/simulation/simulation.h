@@ -62,7 +62,7 @@ namespace ephyra::simulation
     std::unique_ptr<TimeControl>     time;
     std::unique_ptr<RunOutput>       output;
     std::unique_ptr<io::Checkpoints> checkpoints;
-    MemoryArchive                    saved;
+    MemoryArchive                    saved{true};
     std::int64_t                     last_checkpoint = -1; ///< step
     std::int64_t                     resumed_from    = 0;  ///< step
   };

@@ -148,6 +148,52 @@ BOOST_AUTO_TEST_CASE(restart)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_step_is_taken_back_without_a_copy)
+{
+  FlowParameters parameters = jet();
+  parameters.scheme         = TimeScheme::ab2;
+  FlowSolver flow(parameters, MPI_COMM_WORLD);
+  FlowSolver other(parameters, MPI_COMM_WORLD);
+  flow.keep_predicted(false);
+  for (int step = 0; step < 4; ++step)
+    {
+      flow.advance(step * 0.01, 0.01);
+      other.advance(step * 0.01, 0.01);
+    }
+  const int     row      = flow.grid().first_row;
+  const double  pressure = flow.pressure()(row, 3);
+  MemoryArchive memory(true);
+  memory.begin_writing();
+  flow.serialize(memory);
+
+  // After a whole step, and in the middle of one, again and again.
+  for (int attempt = 0; attempt < 3; ++attempt)
+    {
+      flow.begin_step(0.04, 0.01);
+      flow.predict(0);
+      if (attempt != 1)
+        {
+          flow.project(0);
+          flow.end_step();
+        }
+      BOOST_TEST(difference(flow, other) > 0.);
+      memory.begin_reading();
+      flow.serialize(memory);
+      BOOST_TEST(difference(flow, other) == 0.);
+      BOOST_TEST(flow.pressure()(row, 3) == pressure);
+    }
+
+  // Without history the next step is one of first order, those after it are
+  // of second order again.
+  for (int step = 0; step < 8; ++step)
+    {
+      flow.advance(0.04 + 0.005 * step, 0.005);
+      other.advance(0.04 + 0.005 * step, 0.005);
+    }
+  BOOST_TEST(difference(flow, other) > 0.);
+  BOOST_TEST(difference(flow, other) < 1e-3);
+}
+
 BOOST_AUTO_TEST_CASE(one_projection_per_step)
 {
   FlowParameters parameters = jet();
