@@ -116,6 +116,7 @@ namespace ephyra::coupling
     const Archive::Group group(archive, "coupling");
     archive.values("load", load);
     archive.value("axial load", axial_load);
+    surface.serialize(archive);
   }
 
   void

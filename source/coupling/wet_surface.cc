@@ -1,9 +1,11 @@
 #include "ephyra/coupling/wet_surface.h"
 
+#include "ephyra/base/log.h"
 #include "ephyra/splines/control_vector.h"
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace ephyra::coupling
 {
@@ -15,6 +17,10 @@ namespace ephyra::coupling
     /// flow in one forcing sweep (their stencils are three cells wide); the
     /// rest is a margin for repeated sweeps and deformation.
     constexpr double coupling_reach = 4.5;
+
+    /// Times the largest marker spacing: no smooth motion comes as far in a
+    /// step.
+    constexpr double beyond_repair = 2;
 
     std::vector<immersed_boundary::BoundaryCurve>
     curves(const splines::NurbsPatch<2>     &patch,
@@ -40,6 +46,7 @@ namespace ephyra::coupling
     : wet_sides(wet_sides)
     , grid(flow.grid())
     , density(flow.density())
+    , largest_marker_spacing(parameters.largest_spacing)
     , the_markers(std::make_unique<Markers>(curves(patch, wet_sides),
                                             splines::control_vector(patch),
                                             flow.grid(),
@@ -49,6 +56,7 @@ namespace ephyra::coupling
     , surface_loads(std::make_unique<immersed_boundary::SurfaceLoads>(
         flow.grid(), flow.density(), flow.viscosity(), parameters))
     , n_control_points(patch.n_control_points())
+    , shapes{splines::control_vector(patch)}
   {
     assemble_shape();
     const std::vector<double> rest(2 * n_control_points, 0.);
@@ -68,10 +76,49 @@ namespace ephyra::coupling
   }
 
   void
+  WetSurface::place_markers()
+  {
+    the_markers->distribute(shapes, grid);
+    assemble_shape();
+  }
+
+  void
+  WetSurface::follow_stretch(const BodyMotion &motion)
+  {
+    const double spacing = the_markers->largest_spacing(grid);
+    if (spacing <= largest_marker_spacing ||
+        spacing > beyond_repair * largest_marker_spacing)
+      return;
+    the_markers->check_inside(grid);
+    const int before = the_markers->size();
+    shapes.push_back(motion.position);
+    place_markers();
+    the_markers->move(motion.position, motion.velocity, motion.acceleration);
+    std::ostringstream line;
+    line << "Body: markers " << spacing << " cells apart are placed anew, "
+         << the_markers->size() << " instead of " << before;
+    log().line(line.str());
+  }
+
+  void
+  WetSurface::serialize(Archive &archive)
+  {
+    auto n = static_cast<std::int64_t>(shapes.size());
+    archive.value("number of shapes", n);
+    const bool changed = n != static_cast<std::int64_t>(shapes.size());
+    shapes.resize(n);
+    for (std::size_t k = 1; k < shapes.size(); ++k)
+      archive.values("shape " + std::to_string(k), shapes[k]);
+    if (changed)
+      place_markers();
+  }
+
+  void
   WetSurface::set_geometry(const BodyMotion &motion)
   {
     frozen_position = motion.position;
     the_markers->move(motion.position, motion.velocity, motion.acceleration);
+    follow_stretch(motion);
     forcing->update(*the_markers);
   }
 

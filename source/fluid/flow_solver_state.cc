@@ -29,7 +29,7 @@ namespace ephyra::fluid
   {
     if (!parameters.convection)
       return std::numeric_limits<double>::infinity();
-    return parameters.scheme == TimeScheme::rk3 ? 2.8 : 2.;
+    return parameters.scheme == TimeScheme::rk3 ? 2.8 : 1.;
   }
 
   double

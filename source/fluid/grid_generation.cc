@@ -118,6 +118,12 @@ namespace ephyra::fluid
     const ParameterHandler::Section section(prm, "Grid");
     const patterns::List            lengths(patterns::Double("m"), 2);
     const patterns::List            widths(patterns::Positive("m"), 1);
+    prm.declare_entry("Length unit",
+                      "1 m",
+                      patterns::Positive("m"),
+                      "What the breakpoints and spacings are multiples of, "
+                      "such as the radius of the bell; with another one than "
+                      "1 m they are plain numbers.");
     prm.declare_entry(
       "Radial breakpoints",
       "0, 1",
@@ -157,10 +163,22 @@ namespace ephyra::fluid
   GridParameters::parse(ParameterHandler &prm)
   {
     const ParameterHandler::Section section(prm, "Grid");
-    r.breakpoints = prm.get_double_list("Radial breakpoints");
-    r.spacings    = prm.get_double_list("Radial spacings");
-    y.breakpoints = prm.get_double_list("Axial breakpoints");
-    y.spacings    = prm.get_double_list("Axial spacings");
+    const double                    unit = prm.get_double("Length unit");
+    const auto lengths = [&prm, unit](const std::string &entry) {
+      std::vector<double> values = prm.get_double_list(entry);
+      const std::string   text   = prm.get(entry);
+      if (unit != 1 && text.find('m') != std::string::npos)
+        prm.add_error(entry,
+                      "with a Length unit these are plain numbers, multiples "
+                      "of it.");
+      for (double &value : values)
+        value *= unit;
+      return values;
+    };
+    r.breakpoints = lengths("Radial breakpoints");
+    r.spacings    = lengths("Radial spacings");
+    y.breakpoints = lengths("Axial breakpoints");
+    y.spacings    = lengths("Axial spacings");
     r.stretching = y.stretching = prm.get("Stretching") == "smooth"
                                     ? Stretching::smooth
                                     : Stretching::geometric;

@@ -79,12 +79,12 @@ namespace ephyra::immersed_boundary
     : boundary(std::move(curves))
     , parameters(parameters)
   {
-    distribute(x, grid);
+    distribute({x}, grid);
   }
 
   void
-  Markers::distribute(const std::vector<double>  &x,
-                      const fluid::StaggeredGrid &grid)
+  Markers::distribute(const std::vector<std::vector<double>> &shapes,
+                      const fluid::StaggeredGrid             &grid)
   {
     theta_of.clear();
     dtheta.clear();
@@ -94,7 +94,7 @@ namespace ephyra::immersed_boundary
     dR = SparseRows();
     for (std::size_t c = 0; c < boundary.size(); ++c)
       {
-        place_on_curve(static_cast<int>(c), x, grid);
+        place_on_curve(static_cast<int>(c), shapes, grid);
         first.push_back(size());
       }
 
@@ -125,14 +125,14 @@ namespace ephyra::immersed_boundary
                     &now.dv_r_ds,
                     &now.dv_y_ds})
       v->assign(size(), 0.);
-    const std::vector<double> rest(x.size(), 0.);
-    move(x, rest, rest);
+    const std::vector<double> rest(shapes.back().size(), 0.);
+    move(shapes.back(), rest, rest);
   }
 
   void
-  Markers::place_on_curve(const int                   c_index,
-                          const std::vector<double>  &x,
-                          const fluid::StaggeredGrid &grid)
+  Markers::place_on_curve(const int                               c_index,
+                          const std::vector<std::vector<double>> &shapes,
+                          const fluid::StaggeredGrid             &grid)
   {
     const BoundaryCurve       &c  = boundary[c_index];
     const splines::KnotVector &kv = c.curve.knot_vector(0);
@@ -143,7 +143,7 @@ namespace ephyra::immersed_boundary
     for (int e = 0; e < kv.n_elements(); ++e)
       {
         const double a = kv.breaks()[e], b = kv.breaks()[e + 1];
-        const auto   rate = [&](const double t) {
+        const auto rate_of = [&](const std::vector<double> &x, const double t) {
           const CurvePoint p = evaluate(c, x, t, basis);
           EphyraThrowIf(
             grid.r.cell_of(p.r) == grid.r.n_cells || p.r < -1e-12 ||
@@ -156,6 +156,12 @@ namespace ephyra::immersed_boundary
                      << ", " << grid.y.face.back()
                      << "] m: move the body or enlarge the grid.");
           return length_in_cells(grid, p.r, p.y, p.dr, p.dy);
+        };
+        const auto rate = [&](const double t) {
+          double longest = 0.;
+          for (const std::vector<double> &x : shapes)
+            longest = std::max(longest, rate_of(x, t));
+          return longest;
         };
         const double largest =
           std::max({rate(a), rate(0.5 * (a + b)), rate(b)}) * (b - a);
@@ -265,7 +271,7 @@ namespace ephyra::immersed_boundary
   }
 
   void
-  Markers::check(const fluid::StaggeredGrid &grid) const
+  Markers::check_inside(const fluid::StaggeredGrid &grid) const
   {
     for (int l = 0; l < size(); ++l)
       {
@@ -281,6 +287,15 @@ namespace ephyra::immersed_boundary
                         << "] x [" << grid.y.face.front() << ", "
                         << grid.y.face.back()
                         << "] m: enlarge it or end the run earlier.");
+      }
+  }
+
+  void
+  Markers::check(const fluid::StaggeredGrid &grid) const
+  {
+    check_inside(grid);
+    for (int l = 0; l < size(); ++l)
+      {
         const double spacing = length_in_cells(grid,
                                                now.r[l],
                                                now.y[l],
@@ -290,9 +305,9 @@ namespace ephyra::immersed_boundary
           spacing > parameters.largest_spacing,
           DivergedError,
           "The markers of body '"
-            << name << "' at (r, y) = (" << now.r[l] << ", " << now.y[l]
-            << ") m are " << spacing << " cells apart, more than "
-            << parameters.largest_spacing
+            << boundary[curve_of[l]].name << "' at (r, y) = (" << now.r[l]
+            << ", " << now.y[l] << ") m are " << spacing
+            << " cells apart, more than " << parameters.largest_spacing
             << ": reduce 'Marker spacing' or coarsen the grid there.");
       }
   }

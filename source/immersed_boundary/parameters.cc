@@ -17,9 +17,10 @@ namespace ephyra::immersed_boundary
     prm.declare_entry("Largest marker spacing",
                       "1",
                       patterns::Double("", 0.6, 2.),
-                      "Distance of two markers over the local cell size at "
-                      "which a run stops because the surface is no longer "
-                      "closed.");
+                      "Distance of two markers over the local cell size from "
+                      "which on the surface is no longer closed: those of a "
+                      "deformable body are placed anew, a rigid body ends the "
+                      "run.");
     prm.declare_entry(
       "Weight function",
       "automatic",

@@ -1,5 +1,6 @@
 #include "ephyra/simulation/swimmer_model.h"
 
+#include "ephyra/base/exceptions.h"
 #include "ephyra/fluid/flow_diagnostics.h"
 #include "ephyra/simulation/build_body.h"
 
@@ -57,7 +58,16 @@ namespace ephyra::simulation
   {
     if (window)
       window->follow(body->centre_of_mass());
-    StepStatus status = scheme->advance(t, dt);
+    StepStatus status;
+    try
+      {
+        status = scheme->advance(t, dt);
+      }
+    catch (const DivergedError &error)
+      {
+        // A shorter step may do; all ranks have the same body.
+        return StepStatus::failure(error.what());
+      }
     if (!status.success)
       return status;
     last_iterations = status.iterations;

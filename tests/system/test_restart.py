@@ -56,6 +56,15 @@ class RestartTest(runs.SystemTest):
         self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"),
                    series=("flow", "body", "dye"))
 
+    def test_swim_with_markers_placed_anew(self):
+        self.check("swim.prm",
+                   *runs.sets(**{"Immersed_boundary__Marker_spacing": 0.595,
+                                 "Immersed_boundary__Largest_marker_spacing": 0.6}),
+                   series=("flow", "body"))
+        log = (self.folder / "whole/log.txt").read_text(encoding="utf-8")
+        self.assertIn("are placed anew", log)
+        self.assertLess(self.table("whole")["largest marker spacing [cells]"].max(), 0.605)
+
     def test_sinking_sphere(self):
         self.check("sphere.prm", series=("flow", "dye"))
 

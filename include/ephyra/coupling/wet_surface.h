@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ephyra/base/archive.h"
 #include "ephyra/coupling/body_motion.h"
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/immersed_boundary/direct_forcing.h"
@@ -32,10 +33,16 @@ namespace ephyra::coupling
                const std::vector<splines::Side>    &wet_sides,
                const fluid::FlowSolver             &flow);
 
-    /// Markers at the given motion; stencils follow the positions. Throws
-    /// DivergedError where markers leave the grid or are too far apart.
+    /// Markers at the given motion; stencils follow the positions. Where the
+    /// surface has been stretched beyond the largest marker spacing, the markers
+    /// are placed anew, closely enough for all shapes for which that was done.
+    /// Throws DivergedError where markers leave the grid, or are twice as far
+    /// apart as allowed at once.
     void
     set_geometry(const BodyMotion &motion);
+    /// The shapes for which the markers have been placed.
+    void
+    serialize(Archive &archive);
     /// New velocity and acceleration, positions and stencils kept.
     void
     set_motion(const BodyMotion &motion);
@@ -100,16 +107,23 @@ namespace ephyra::coupling
   private:
     void
     assemble_shape();
+    /// For all shapes so far.
+    void
+    place_markers();
+    void
+    follow_stretch(const BodyMotion &motion);
 
     const std::vector<splines::Side>                  wet_sides;
     const fluid::StaggeredGrid                       &grid;
     const double                                      density;
+    const double                                      largest_marker_spacing;
     std::unique_ptr<immersed_boundary::Markers>       the_markers;
     std::unique_ptr<immersed_boundary::DirectForcing> forcing;
     std::unique_ptr<immersed_boundary::SurfaceLoads>  surface_loads;
     const int                                         n_control_points;
-    Matrix              shape; ///< B, one component
-    std::vector<double> frozen_position;
-    std::vector<double> Ju, F; ///< of markers
+    Matrix                           shape;  ///< B, one component
+    std::vector<std::vector<double>> shapes; ///< control positions
+    std::vector<double>              frozen_position;
+    std::vector<double>              Ju, F; ///< of markers
   };
 } // namespace ephyra::coupling

@@ -150,10 +150,11 @@ namespace ephyra::fluid
     /// Collective.
     double
     max_cfl(double dt) const;
-    /// CFL number from which on convection makes the fastest modes grow at
-    /// least threefold in every step: 2.8 (`rk3`, stable up to sqrt(3)) or 2
-    /// (`ab2`), the modulus of the roots of the schemes on the imaginary axis;
-    /// infinite without convection.
+    /// CFL number from which on a step is not accepted, infinite without
+    /// convection: 2.8 (`rk3`, stable up to sqrt(3)), where convection makes the
+    /// fastest modes grow threefold in a step, or 1 (`ab2`, never quite stable),
+    /// where they grow by a half; the modulus of the roots of the schemes on the
+    /// imaginary axis.
     double
     unstable_cfl() const;
     /// Whether all velocities are finite; collective.

@@ -51,9 +51,11 @@ namespace ephyra::immersed_boundary
             const fluid::StaggeredGrid &grid,
             const Parameters           &parameters = Parameters());
 
-    /// Places the markers anew for a deformed body; at rest until move().
+    /// Places the markers anew, close enough for each of the @p shapes that a
+    /// body takes; they are at rest in the last one until move().
     void
-    distribute(const std::vector<double> &x, const fluid::StaggeredGrid &grid);
+    distribute(const std::vector<std::vector<double>> &shapes,
+               const fluid::StaggeredGrid             &grid);
 
     /// Position, velocity and acceleration of the control points to markers.
     /// Throws DivergedError where an arc has collapsed or is not finite.
@@ -110,8 +112,11 @@ namespace ephyra::immersed_boundary
     /// Largest distance of neighbouring markers in units of the local cell.
     double
     largest_spacing(const fluid::StaggeredGrid &grid) const;
-    /// Throws DivergedError where the largest spacing exceeds the limit or a
-    /// marker has left the grid, naming the curve and the place.
+    /// Throws DivergedError where a marker has left the grid, naming the curve
+    /// and the place.
+    void
+    check_inside(const fluid::StaggeredGrid &grid) const;
+    /// The same, and where the largest spacing exceeds the limit.
     void
     check(const fluid::StaggeredGrid &grid) const;
 
@@ -123,9 +128,9 @@ namespace ephyra::immersed_boundary
 
   private:
     void
-    place_on_curve(int                         c,
-                   const std::vector<double>  &x,
-                   const fluid::StaggeredGrid &grid);
+    place_on_curve(int                                     c,
+                   const std::vector<std::vector<double>> &shapes,
+                   const fluid::StaggeredGrid             &grid);
 
     std::vector<BoundaryCurve> boundary;
     Parameters                 parameters;

@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(bad_surfaces_are_refused)
     test::line(48, 0., 1.5), test::line(96, -1.5, 1.5), false, MPI_COMM_SELF};
   BOOST_CHECK_EXCEPTION(
     markers.check(large), DivergedError, says("cells apart"));
-  markers.distribute(x, large);
+  markers.distribute({x}, large);
   BOOST_CHECK_NO_THROW(markers.check(large));
 
   x[3] = std::nan("");
