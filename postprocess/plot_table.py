@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """Draws the table of a sweep: error against work, both logarithmic, one line for
 each series. Series named "GROUP: LABEL" share a panel for each group. Full marks
-are values too large, open ones values too small."""
+are values too large, open ones values too small.
+
+With --by any columns over any other, both linear: one line for each value of the
+column --by names, one panel for each column of --y."""
 
 import argparse
 import csv
@@ -65,6 +68,49 @@ def curves(rows, x, y):
     return groups
 
 
+def family(rows, x, y, by):
+    """{value of the column by: [(x, y)]}, in the order of the table; a case that is in
+    several series counts once."""
+    lines = {}
+    for row in rows:
+        points = lines.setdefault(row[by], [])
+        point = (number(row[x]), number(row[y]))
+        if all(map(math.isfinite, point)) and point not in points:
+            points.append(point)
+    return {value: sorted(points) for value, points in lines.items()}
+
+
+def short(column):
+    """The entry of a column like Section/Subsection/Entry."""
+    return column.split("/")[-1] if "[" not in column else column
+
+
+def draw_family(axis, lines, by):
+    for k, (value, points) in enumerate(lines.items()):
+        axis.plot([p[0] for p in points], [p[1] for p in points], color=f"C{k % 10}",
+                  marker=MARKERS[k % len(MARKERS)], markersize=5, linewidth=1,
+                  label=f"{short(by)} = {value}")
+    axis.grid(alpha=0.3)
+
+
+def plot_families(rows, x, columns, by, path):
+    """A panel for each column."""
+    n_columns = 2 if len(columns) in (2, 4) else min(3, len(columns))
+    n_rows = math.ceil(len(columns) / n_columns)
+    figure, axes = plt.subplots(n_rows, n_columns, squeeze=False, layout="constrained",
+                                figsize=(0.5 + 4.3 * n_columns, 0.5 + 3.3 * n_rows))
+    for axis, y in zip(axes.flat, columns):
+        draw_family(axis, family(rows, x, y, by), by)
+        axis.set_xlabel(short(x))
+        axis.set_ylabel(y, fontsize="small")
+    axes.flat[0].legend(fontsize="small", frameon=False)
+    for axis in axes.flat[len(columns):]:
+        axis.set_visible(False)
+    figure.savefig(path, dpi=100)
+    plt.close(figure)
+    print(f"plot: {path}")
+
+
 def draw(axis, lines):
     for k, (label, points) in enumerate(lines.items()):
         if not points:
@@ -123,6 +169,7 @@ def main(arguments):
     parser.add_argument("--y", action="append", default=[], metavar="TEXT",
                         help="columns of the error, named in full or in part; repeatable "
                         "(default: all errors against references)")
+    parser.add_argument("--by", metavar="COLUMN", help="one line for each value of this column")
     parser.add_argument("--output", metavar="FILE",
                         help="the picture (default: beside the table, as PNG)")
     options = parser.parse_args(arguments)
@@ -131,7 +178,11 @@ def main(arguments):
         rows = read_table(table)
         x = find_columns(rows, [options.x], "--x")[0]
         columns = find_columns(rows, options.y or ["error of"], "--y")
-        plot(rows, x, columns, options.output or table.with_suffix(".png"))
+        path = options.output or table.with_suffix(".png")
+        if options.by:
+            plot_families(rows, x, columns, find_columns(rows, [options.by], "--by")[0], path)
+        else:
+            plot(rows, x, columns, path)
     except Wrong as error:
         print(f"plot: {error}.", file=sys.stderr)
         return 1

@@ -51,6 +51,18 @@ class PlotTable(unittest.TestCase):
         self.assertEqual(picture.read_bytes()[:4], b"\x89PNG")
         self.assertIn(str(picture), screen)
 
+    def test_family(self):
+        rows = [{"a": a, "b": b, "c": c} for a, b, c in (("2", "0.1", "5"), ("1", "0.1", "4"),
+                                                         ("2", "0.1", "5"), ("1", "0.3", ""),
+                                                         ("3", "0.3", "-7"))]
+        self.assertEqual(plot_table.family(rows, "a", "c", "b"),
+                         {"0.1": [(1, 4), (2, 5)], "0.3": [(3, -7)]})
+        code, screen = self.plot("--x", "A/x", "--by", "series", "--y", "force", "--y", "defect")
+        self.assertEqual(code, 0, screen)
+        code, screen = self.plot("--by", "nonsense", "--y", "force")
+        self.assertEqual(code, 1)
+        self.assertIn("no column for --by holds 'nonsense'", screen)
+
     def test_lines_hold_the_points(self):
         figure, axis = plot_table.plt.subplots()
         self.addCleanup(plot_table.plt.close, figure)
