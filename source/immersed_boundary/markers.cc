@@ -279,7 +279,7 @@ namespace ephyra::immersed_boundary
         EphyraThrowIf(now.r[l] < 0 || now.r[l] >= grid.r.face.back() ||
                         (!grid.periodic_y && (now.y[l] <= grid.y.face.front() ||
                                               now.y[l] >= grid.y.face.back())),
-                      DivergedError,
+                      immersed_boundary::LeftTheGrid,
                       "Body '"
                         << name << "' has left the flow grid at (r, y) = ("
                         << now.r[l] << ", " << now.y[l]

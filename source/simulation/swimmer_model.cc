@@ -63,6 +63,10 @@ namespace ephyra::simulation
       {
         status = scheme->advance(t, dt);
       }
+    catch (const immersed_boundary::LeftTheGrid &)
+      {
+        throw;
+      }
     catch (const DivergedError &error)
       {
         // A shorter step may do; all ranks have the same body.

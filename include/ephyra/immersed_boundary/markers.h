@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ephyra/base/exceptions.h"
 #include "ephyra/fluid/staggered_grid.h"
 #include "ephyra/immersed_boundary/boundary_curve.h"
 #include "ephyra/immersed_boundary/parameters.h"
@@ -8,6 +9,13 @@
 
 namespace ephyra::immersed_boundary
 {
+  /// A body has come to the end of the flow grid: no shorter step helps.
+  class LeftTheGrid : public DivergedError
+  {
+  public:
+    using DivergedError::DivergedError;
+  };
+
   /// Sparse rows of a small matrix that every rank holds.
   struct SparseRows
   {
@@ -112,8 +120,8 @@ namespace ephyra::immersed_boundary
     /// Largest distance of neighbouring markers in units of the local cell.
     double
     largest_spacing(const fluid::StaggeredGrid &grid) const;
-    /// Throws DivergedError where a marker has left the grid, naming the curve
-    /// and the place.
+    /// Throws LeftTheGrid where a marker has left it, naming the curve and the
+    /// place.
     void
     check_inside(const fluid::StaggeredGrid &grid) const;
     /// The same, and where the largest spacing exceeds the limit.
