@@ -126,7 +126,7 @@ namespace ephyra::coupling
       source->serialize(archive);
   }
 
-  void
+  double
   DeformableBody::evaluate(Record &record) const
   {
     const elasticity::BodyMeasures measures = solver.measures();
@@ -144,5 +144,6 @@ namespace ephyra::coupling
     if (source)
       source->evaluate(record);
     record.add("Newton iterations [-]", newton_iterations);
+    return solver.energy().imbalance(measures);
   }
 } // namespace ephyra::coupling

@@ -67,6 +67,7 @@ namespace ephyra::coupling
     , body(body)
     , surface(surface)
     , load(body.n_unknowns(), 0.)
+    , forcing_work(flow.n_stages(), 0.)
   {
   }
 
@@ -89,6 +90,9 @@ namespace ephyra::coupling
   {
     surface.add_forcing(flow.velocity());
     flow.project(stage);
+    if (flow.energy() != nullptr)
+      forcing_work[stage] =
+        surface.forcing_work(flow.stage_start(), flow.velocity());
   }
 
   void
@@ -100,6 +104,9 @@ namespace ephyra::coupling
       axial_load += load[i];
     body.accept();
     flow.end_step();
+    if (flow.energy() != nullptr)
+      for (const double work : forcing_work)
+        flow.energy()->add_forcing(work);
   }
 
   void
@@ -122,7 +129,16 @@ namespace ephyra::coupling
   void
   FluidStructureScheme::evaluate(Record &record)
   {
-    body.evaluate(record);
+    const double imbalance_of_body = body.evaluate(record);
+    if (fluid::EnergyBudget *const energy = flow.energy(); energy != nullptr)
+      {
+        const double imbalance =
+          energy->evaluate(flow.velocity(), true, record) + imbalance_of_body;
+        record.add("work lost at interface [J]",
+                   -body.mechanics().energy().surroundings -
+                     energy->work_of_forcing());
+        record.add("energy imbalance [J]", imbalance);
+      }
     record.add("fluid force y [N]", axial_load);
     record.add("slip [-]", surface.slip(flow.velocity()));
     record.add("largest marker spacing [cells]", surface.largest_spacing());

@@ -154,6 +154,13 @@ namespace ephyra::coupling
     forcing->spread(F, u);
   }
 
+  double
+  WetSurface::forcing_work(const fluid::VelocityField &before,
+                           const fluid::VelocityField &after) const
+  {
+    return density * forcing->work(F, before, after);
+  }
+
   void
   WetSurface::add_forcing_load(const double dt, std::vector<double> &load) const
   {

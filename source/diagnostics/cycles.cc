@@ -34,7 +34,8 @@ namespace ephyra::diagnostics
               blend(a.margin, b.margin, s),
               blend(a.inner_margin, b.inner_margin, s),
               blend(a.widest, b.widest, s),
-              blend(a.muscle_work, b.muscle_work, s)};
+              blend(a.muscle_work, b.muscle_work, s),
+              blend(a.fluid_work, b.fluid_work, s)};
     }
 
     void
@@ -50,6 +51,7 @@ namespace ephyra::diagnostics
       archive.value("inner margin", x.inner_margin);
       archive.value("widest", x.widest);
       archive.value("muscle work", x.muscle_work);
+      archive.value("fluid work", x.fluid_work);
     }
   } // namespace
 
@@ -66,18 +68,26 @@ namespace ephyra::diagnostics
                       patterns::Double("s", 0.),
                       "Of the first cycle; with the period of the pacing, the "
                       "time of the first pulse instead.");
+    prm.declare_entry("Towing force",
+                      "0",
+                      patterns::Expression({"U"}, "N"),
+                      "Force that tows the body at rest at the speed U "
+                      "(m/s), for the efficiency of a swimmer; 0: there is "
+                      "none.");
   }
 
   void
   CycleParameters::parse(ParameterHandler &prm)
   {
-    period = prm.get_double("Period");
-    start  = prm.get_double("Start");
+    period       = prm.get_double("Period");
+    start        = prm.get_double("Start");
+    towing_force = prm.get("Towing force");
   }
 
   Cycles::Cycles(const CycleParameters &parameters, const Swimmer &swimmer)
     : prm(parameters)
     , swimmer(swimmer)
+    , towing_force(parameters.towing_force, {"U"})
   {
   }
 
@@ -109,7 +119,11 @@ namespace ephyra::diagnostics
       names.insert(names.end(),
                    {"muscle work [J]",
                     "positive muscle work [J]",
-                    "cost of transport [J/(kg m)]"});
+                    "work on fluid [J]",
+                    "cost of transport [J/(kg m)]",
+                    "net cost of transport [J/(kg m)]"});
+    if (swimmer.muscle && !towing_force.is_zero())
+      names.insert(names.end(), {"efficiency [-]", "net efficiency [-]"});
     return names;
   }
 
@@ -187,10 +201,22 @@ namespace ephyra::diagnostics
       complete.push_back(1. -
                          smallest.inner_margin / swimmer.rest_inner_radius);
     if (swimmer.muscle)
-      complete.insert(complete.end(),
-                      {end.muscle_work - first.muscle_work,
-                       positive_work,
-                       positive_work / (swimmer.mass * std::abs(distance))});
+      {
+        const double work   = end.muscle_work - first.muscle_work;
+        const double length = swimmer.mass * std::abs(distance);
+        complete.insert(complete.end(),
+                        {work,
+                         positive_work,
+                         end.fluid_work - first.fluid_work,
+                         positive_work / length,
+                         work / length});
+        if (!towing_force.is_zero())
+          {
+            const double useful = towing_force({mean}) * distance;
+            complete.insert(complete.end(),
+                            {useful / positive_work, useful / work});
+          }
+      }
     speed_before = mean;
     ++number;
   }

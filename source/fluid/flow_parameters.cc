@@ -107,6 +107,12 @@ namespace ephyra::fluid
       patterns::Bool(),
       "Whether the convective terms are there; without them the "
       "flow is a Stokes flow.");
+    prm.declare_entry("Energy budget",
+                      "false",
+                      patterns::Bool(),
+                      "Adds the terms of the energy budget to the statistics: "
+                      "kinetic energy, dissipation, work at the sides and of "
+                      "the forces of a deformable body; not for rigid ones.");
     prm.declare_entry(
       "Poisson solver",
       "automatic",
@@ -147,6 +153,7 @@ namespace ephyra::fluid
                               : terms == "explicit" ? ViscousTreatment::explicit_
                                                     : ViscousTreatment::implicit;
     convection              = prm.get_bool("Convection");
+    energy_budget           = prm.get_bool("Energy budget");
     const std::string solver = prm.get("Poisson solver");
     poisson                  = solver == "automatic" ? PoissonKind::automatic
                                : solver == "fft"     ? PoissonKind::fft

@@ -66,6 +66,8 @@ namespace ephyra::fluid
         return (*expression)({r, y});
       };
     };
+    if (parameters.energy_budget)
+      budget = std::make_unique<EnergyBudget>(parameters, the_grid, boundary);
     set_initial_velocity(component(parameters.initial_radial_velocity),
                          component(parameters.initial_axial_velocity));
   }
@@ -93,6 +95,8 @@ namespace ephyra::fluid
     projected          = true;
     started            = false;
     previous_time_step = 0;
+    if (budget)
+      budget->start(current);
   }
 
   void
@@ -214,6 +218,8 @@ namespace ephyra::fluid
       choose_viscous_treatment();
     if (!started)
       initialize_pressure();
+    if (!started && budget)
+      budget->start(current);
     started = true;
   }
 
@@ -244,7 +250,15 @@ namespace ephyra::fluid
   void
   FlowSolver::predict(const unsigned int k)
   {
+    if (budget && k > 0)
+      count_energy(k - 1);
     const TimerTree::Scope scope(timer(), "momentum", n_cells());
+    if (budget && keeps_predicted)
+      {
+        if (!before)
+          before = std::make_unique<VelocityField>(the_grid);
+        before->copy_from(current);
+      }
     if (projected)
       {
         std::swap(old_pressure, new_pressure);
@@ -408,8 +422,23 @@ namespace ephyra::fluid
   }
 
   void
+  FlowSolver::count_energy(const unsigned int k)
+  {
+    const double step = stage_dt(k);
+    const bool solved = parameters.project_every_substep || k + 1 == n_stages();
+    const double length = parameters.project_every_substep ? step : time_step;
+    budget->add_stage(stage_start(),
+                      current,
+                      {old_pressure, phi, step, solved ? length : 0.},
+                      step,
+                      body_force(stage_time(k) - 0.5 * step));
+  }
+
+  void
   FlowSolver::end_step()
   {
+    if (budget)
+      count_energy(n_stages() - 1);
     previous_time_step = time_step;
     time += time_step;
   }
@@ -418,6 +447,8 @@ namespace ephyra::fluid
   FlowSolver::keep_predicted(const bool keep)
   {
     keeps_predicted = keep;
+    if (!keep)
+      before.reset();
   }
 
   void

@@ -70,7 +70,8 @@ namespace ephyra::fluid
   FlowSolver::serialize(Archive &archive)
   {
     const Archive::Group group(archive, "flow");
-    if (archive.repeats_step() && can_take_back())
+    const bool           takes_back = archive.repeats_step() && can_take_back();
+    if (takes_back)
       {
         if (archive.reading())
           take_back();
@@ -78,6 +79,9 @@ namespace ephyra::fluid
       }
     else
       serialize_fields(archive);
+    // A window stays where it is when a step is taken back.
+    if (budget)
+      budget->serialize(archive, !takes_back);
     archive.value("time", time);
     archive.value("time step", time_step);
     std::int64_t is_started = started ? 1 : 0,

@@ -1,5 +1,6 @@
 // The flow solver's part of a moving window: fields shifted along y.
 #include "ephyra/base/timer_tree.h"
+#include "ephyra/fluid/flow_diagnostics.h"
 #include "ephyra/fluid/flow_solver.h"
 
 #include <algorithm>
@@ -42,6 +43,8 @@ namespace ephyra::fluid
     if (n == 0)
       return;
     const TimerTree::Scope scope(timer(), "window", n_cells());
+    if (budget)
+      budget->add_window(-kinetic_energy(current, parameters.density));
     the_grid.shift_y(n);
     boundary.forget_values();
 
@@ -77,6 +80,8 @@ namespace ephyra::fluid
     update_ghosts();
     make_divergence_free(current, 1., nullptr);
     update_ghosts();
+    if (budget)
+      budget->add_window(kinetic_energy(current, parameters.density));
     new_pressure.exchange_halo();
     boundary.fill_pressure_ghosts(new_pressure);
   }

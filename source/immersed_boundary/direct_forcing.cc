@@ -18,6 +18,28 @@ namespace ephyra::immersed_boundary
     constexpr double shift_of_exact_solver = 1e-8;
 
 
+    /// r dr and dy of the control volume of a velocity; 0 where it is given.
+    double
+    radial_size(const fluid::StaggeredGrid &grid,
+                const int                   component,
+                const int                   i)
+    {
+      return component == 0 ? grid.r.face[i] * grid.r.centre_gap[i]
+                            : grid.r.centre[i] * grid.r.width[i];
+    }
+    double
+    axial_size(const fluid::StaggeredGrid &grid,
+               const int                   component,
+               const int                   j)
+    {
+      const fluid::GridLine &y = grid.y;
+      if (component == 0)
+        return y.width[j];
+      if (j > 0 && j < y.n_cells)
+        return y.centre_gap[j];
+      return grid.periodic_y ? y.centre_gap.front() + y.centre_gap.back() : 0.;
+    }
+
     /// Lists the markers that spread to a node: open addressing from the node
     /// number to the head of a linked list.
     class MarkersOfNode
@@ -155,28 +177,18 @@ namespace ephyra::immersed_boundary
                                const double shell,
                                Nodes       &node) const
   {
-    const fluid::GridLine &r = mls.grid().r, &y = mls.grid().y;
-    const Stencil         &s   = node.phi;
-    double                 sum = 0;
+    const int      n_r = mls.grid().r.n_cells;
+    const Stencil &s   = node.phi;
+    double         sum = 0;
     for (int a = 0; a < 3; ++a)
       {
         const int    i     = s.row[a];
-        const bool   inner = component == 1 || (i > 0 && i < r.n_cells);
-        const double r_dr  = component == 0 ? r.face[i] * r.centre_gap[i]
-                                            : r.centre[i] * r.width[i];
+        const bool   inner = component == 1 || (i > 0 && i < n_r);
+        const double r_dr  = radial_size(mls.grid(), component, i);
         for (int b = 0; b < 3; ++b)
           {
-            const int j = s.column[b];
-            double    dy;
-            if (component == 0)
-              dy = y.width[j];
-            else if (j > 0 && j < y.n_cells)
-              dy = y.centre_gap[j];
-            else
-              dy = mls.grid().periodic_y
-                     ? y.centre_gap.front() + y.centre_gap.back()
-                     : 0.;
-            const double phi       = inner && dy > 0 ? s.value[a][b] : 0.;
+            const double dy  = axial_size(mls.grid(), component, s.column[b]);
+            const double phi = inner && dy > 0 ? s.value[a][b] : 0.;
             node.spread[3 * a + b] = phi;
             sum += phi * r_dr * dy;
           }
@@ -350,6 +362,41 @@ namespace ephyra::immersed_boundary
                 }
           }
       }
+  }
+
+  double
+  DirectForcing::work(const std::vector<double>  &F,
+                      const fluid::VelocityField &before,
+                      const fluid::VelocityField &after) const
+  {
+    const fluid::StaggeredGrid &grid = mls.grid();
+    const int                   n    = n_markers();
+    double                      sum  = 0;
+    for (int c = 0; c < 2; ++c)
+      {
+        const fluid::DistributedArray &from = c == 0 ? before.r : before.y;
+        const fluid::DistributedArray &to   = c == 0 ? after.r : after.y;
+        for (int l = 0; l < n; ++l)
+          {
+            const Nodes &node  = nodes[c][l];
+            double       power = 0;
+            for (int a = 0; a < 3; ++a)
+              {
+                const int i = node.phi.row[a];
+                if (!grid.owns_row(i))
+                  continue;
+                const double r_dr = radial_size(grid, c, i);
+                for (int b = 0; b < 3; ++b)
+                  {
+                    const int j = node.phi.column[b];
+                    power += node.spread[3 * a + b] * r_dr *
+                             axial_size(grid, c, j) * (from(i, j) + to(i, j));
+                  }
+              }
+            sum += F[c * n + l] * power;
+          }
+      }
+    return M_PI * mpi::sum(sum, grid.communicator());
   }
 
   const DirectForcing::Matrix &

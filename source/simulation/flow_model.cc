@@ -122,6 +122,8 @@ namespace ephyra::simulation
       window->evaluate(record);
     record.add("kinetic energy [J]",
                fluid::kinetic_energy(flow->velocity(), flow->density()));
+    if (flow->energy() != nullptr)
+      flow->energy()->evaluate(flow->velocity(), false, record);
     const fluid::VorticityIntegrals vorticity =
       fluid::vorticity_integrals(flow->velocity(), flow->density());
     record.add("circulation [m^2/s]", vorticity.circulation());

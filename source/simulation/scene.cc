@@ -266,6 +266,13 @@ namespace ephyra::simulation
         flow_regions = FlowRegion::parse_all(prm);
         tracers      = TracerParameters::parse_all(prm);
       }
+    if (flow && rigid_bodies && fluid.energy_budget)
+      {
+        const ParameterHandler::Section section(prm, "Fluid");
+        prm.add_error("Energy budget",
+                      "the work of rigid bodies is not counted; set it to "
+                      "false.");
+      }
     if (flow && (elasticity || rigid_bodies))
       immersed_boundary.parse(prm, rigid_bodies);
     if (rigid_bodies)
@@ -287,7 +294,10 @@ namespace ephyra::simulation
         cycles.parse(prm);
         const auto &pacing = tissue.stimulus;
         if (!cycles.on() && electrophysiology && pacing.frequency > 0)
-          cycles = {1. / pacing.frequency, pacing.start};
+          {
+            cycles.period = 1. / pacing.frequency;
+            cycles.start  = pacing.start;
+          }
         if (cycles.on() && cycles.period < 10 * time.time_step)
           prm.add_error("Period",
                         "a cycle has less than ten time steps; make it longer "

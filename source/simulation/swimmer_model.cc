@@ -143,7 +143,8 @@ namespace ephyra::simulation
                       radii.margin,
                       radii.inner_margin,
                       radii.widest,
-                      body->mechanics().energy().muscle}))
+                      body->mechanics().energy().muscle,
+                      -body->mechanics().energy().surroundings}))
       output.add_row("cycles", end, row);
   }
 

@@ -108,7 +108,8 @@ namespace ephyra::coupling
 
     void
     serialize(Archive &archive);
-    void
+    /// Returns the imbalance of its energy, J.
+    double
     evaluate(Record &record) const;
 
   private:

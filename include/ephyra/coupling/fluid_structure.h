@@ -79,6 +79,7 @@ namespace ephyra::coupling
     StepStatus          last;           ///< of the last accepted step
     double              relaxation = 1; ///< of its last iteration
     double              axial_load = 0; ///< N, of the last accepted step
+    std::vector<double> forcing_work;   ///< of the stages of this step, J
   };
 
   std::unique_ptr<Scheme>

@@ -57,6 +57,12 @@ namespace ephyra::coupling
     void
     add_forcing(fluid::VelocityField &u) const;
 
+    /// Work of the forcing on the flow in a stage between two velocities, J;
+    /// collective.
+    double
+    forcing_work(const fluid::VelocityField &before,
+                 const fluid::VelocityField &after) const;
+
     /// -rho B^T D F / dt: what the body receives for the forcing in a step (or
     /// a stage) of length @p dt, N at the control points.
     void

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ephyra/base/archive.h"
+#include "ephyra/base/expression.h"
 #include "ephyra/base/parameter_handler.h"
 #include "ephyra/base/record.h"
 
@@ -15,6 +16,8 @@ namespace ephyra::diagnostics
   {
     double period = 0; ///< s; 0: that of the pacing, if there is one
     double start  = 0; ///< of the first cycle, s
+    /// Formula in U (m/s): force that tows the body at rest, N; 0: none.
+    std::string towing_force = "0";
 
     static void
     declare(ParameterHandler &prm);
@@ -43,6 +46,7 @@ namespace ephyra::diagnostics
       double inner_margin = 0; ///< radius, m
       double widest       = 0; ///< radius, m
       double muscle_work  = 0; ///< since the start of the run, J
+      double fluid_work   = 0; ///< done on the fluid since then, J
     };
     /// Radii at rest (m; inner: 0 for a body closed there), mass (kg) and whether there is a muscle.
     struct Swimmer
@@ -87,6 +91,7 @@ namespace ephyra::diagnostics
 
     const CycleParameters prm;
     const Swimmer         swimmer;
+    const Expression      towing_force;
     bool                  begun  = false;
     std::int64_t          number = 0;        ///< of the present cycle, from 0
     Instant               first;             ///< of the present cycle

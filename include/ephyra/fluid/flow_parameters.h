@@ -63,6 +63,7 @@ namespace ephyra::fluid
     bool             project_every_substep = true; ///< RK3; else once a step
     ViscousTreatment viscous               = ViscousTreatment::automatic;
     bool             convection            = true;
+    bool             energy_budget         = false;
     PoissonKind      poisson               = PoissonKind::automatic;
     GridParameters   grid;
     SideParameters   outer, lower, upper;

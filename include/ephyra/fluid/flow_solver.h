@@ -4,6 +4,7 @@
 #include "ephyra/base/expression.h"
 #include "ephyra/base/output.h"
 #include "ephyra/fluid/boundary.h"
+#include "ephyra/fluid/energy_budget.h"
 #include "ephyra/fluid/flow_parameters.h"
 #include "ephyra/fluid/implicit_viscosity.h"
 #include "ephyra/fluid/momentum.h"
@@ -139,6 +140,26 @@ namespace ephyra::fluid
     void
     shift_window(int n_cells);
 
+    // --- energy -----------------------------------------------------------
+    /// Null unless parameters ask for it.
+    EnergyBudget *
+    energy()
+    {
+      return budget.get();
+    }
+    const EnergyBudget *
+    energy() const
+    {
+      return budget.get();
+    }
+    /// Between predict() and the next one, with an energy budget: the velocity
+    /// at the start of the stage.
+    const VelocityField &
+    stage_start() const
+    {
+      return before ? *before : predicted;
+    }
+
     // --- status -----------------------------------------------------------
     /// Cells of the whole grid.
     double
@@ -224,6 +245,9 @@ namespace ephyra::fluid
     can_take_back() const;
     void
     take_back();
+    /// Adds a stage to the budget that is not repeated any more.
+    void
+    count_energy(unsigned int k);
 
     const Parameters               parameters;
     StaggeredGrid                  the_grid; ///< moved by shift_window() alone
@@ -236,6 +260,8 @@ namespace ephyra::fluid
 
     VelocityField                  current, predicted, history;
     std::unique_ptr<VelocityField> increment; ///< by add_forces()
+    std::unique_ptr<VelocityField> before;    ///< see stage_start()
+    std::unique_ptr<EnergyBudget>  budget;
     DistributedArray               old_pressure, new_pressure, phi;
 
     double             time = 0, time_step = 0, previous_time_step = 0;

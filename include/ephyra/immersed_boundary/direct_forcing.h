@@ -78,6 +78,15 @@ namespace ephyra::immersed_boundary
     void
     spread(const std::vector<double> &F, fluid::VelocityField &u) const;
 
+    /// Work of the increments S F on a fluid of density one in a stage between
+    /// two velocities, m^5/s^2: the change of its kinetic energy that they make
+    /// up, the sum of S F times the mean velocity over all control volumes;
+    /// collective.
+    double
+    work(const std::vector<double>  &F,
+         const fluid::VelocityField &before,
+         const fluid::VelocityField &after) const;
+
     /// velocity() of the flow += A^-1 S F in the stage of prepare();
     /// collective.
     void

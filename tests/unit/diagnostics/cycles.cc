@@ -30,6 +30,7 @@ namespace
     now.inner_margin = now.margin - 0.1;
     now.widest       = 0.9 + 0.05 * std::cos(phase);
     now.muscle_work  = t + std::sin(phase);
+    now.fluid_work   = 0.4 * t;
     return now;
   }
 
@@ -46,7 +47,7 @@ namespace
   Cycles
   make()
   {
-    return Cycles({period, start}, {1., 0.9, mass, true});
+    return Cycles({period, start, "0.5*U^2"}, {1., 0.9, mass, true});
   }
 } // namespace
 
@@ -112,6 +113,11 @@ BOOST_AUTO_TEST_CASE(measures_of_a_known_swimmer)
       is("cost of transport [J/(kg m)]",
          positive / (mass * mean * period),
          1e-5);
+      is("net cost of transport [J/(kg m)]", 1. / (mass * mean), 1e-5);
+      is("work on fluid [J]", 0.4 * period, 1e-5);
+      const double useful = 0.5 * mean * mean * mean * period;
+      is("efficiency [-]", useful / positive, 1e-5);
+      is("net efficiency [-]", useful / period, 1e-5);
     }
   Record result;
   cycles.add_results(result);
@@ -121,7 +127,7 @@ BOOST_AUTO_TEST_CASE(measures_of_a_known_swimmer)
 
 BOOST_AUTO_TEST_CASE(a_swimmer_without_a_second_peak)
 {
-  Cycles cycles({period, 0.}, {1., 0., mass, false});
+  Cycles cycles({period, 0., "0"}, {1., 0., mass, false});
   std::vector<std::pair<double, Record>> rows;
   for (int n = 0; n <= 200; ++n)
     {
