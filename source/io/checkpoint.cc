@@ -5,8 +5,13 @@
 #include "ephyra/io/collective.h"
 #include "ephyra/io/hdf5_archive.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <vector>
@@ -23,6 +28,79 @@ namespace ephyra::io
     {
       using InputError::InputError;
     };
+
+    /// Counts what an HDF5 file needs for the values written to it.
+    class SizeArchive : public Archive
+    {
+    public:
+      std::int64_t
+      n_bytes() const
+      {
+        return size;
+      }
+      bool
+      reading() const override
+      {
+        return false;
+      }
+      void
+      value(const std::string &, double &) override
+      {
+        add(1);
+      }
+      void
+      value(const std::string &, std::int64_t &) override
+      {
+        add(1);
+      }
+      void
+      values(const std::string &, std::vector<double> &x) override
+      {
+        add(static_cast<std::int64_t>(x.size()));
+      }
+      void
+      rows(const std::string &, double *, const RowLayout &layout) override
+      {
+        add(layout.n_global_rows * layout.n_columns);
+      }
+      void
+      enter(const std::string &) override
+      {
+      }
+      void
+      leave() override
+      {
+      }
+
+    private:
+      /// With what describes a dataset: its header, checksum and link.
+      void
+      add(const std::int64_t n_values)
+      {
+        size += 1024 + n_values * static_cast<std::int64_t>(sizeof(double));
+      }
+      std::int64_t size = 0;
+    };
+
+    /// Makes sure that a file of so many bytes has room, by making one. HDF5
+    /// cannot be left in order once a write has failed.
+    void
+    reserve(const std::string &file_name, const std::int64_t n_bytes)
+    {
+      const int file =
+        open(file_name.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+      int error = file < 0 ? errno : posix_fallocate(file, 0, n_bytes);
+      if (file >= 0)
+        close(file);
+      if (error == 0)
+        return;
+      unlink(file_name.c_str());
+      throw InputError(
+        "Checkpoint " + file_name + " needs " + std::to_string(n_bytes) +
+        " bytes that cannot be had (" + std::strerror(error) +
+        "): free space or check the permissions of the folder, "
+        "and continue with --resume from the checkpoint before.");
+    }
 
     /// The first lines in which two scenes differ, for the error message.
     std::string
@@ -61,7 +139,13 @@ namespace ephyra::io
       name, sizeof(name), "checkpoint_%09lld.h5", static_cast<long long>(step));
     const std::string file_name = folder + "/" + name;
     const std::string temporary = file_name + ".tmp";
-    on_first_rank(comm, [&]() { create_folder(folder); });
+    SizeArchive       size;
+    serialize(size);
+    on_first_rank(comm, [&]() {
+      create_folder(folder);
+      reserve(temporary,
+              size.n_bytes() + static_cast<std::int64_t>(scene.size()));
+    });
     {
       Hdf5Archive  archive(temporary, Hdf5Archive::Mode::write, comm);
       std::int64_t version = format_version, complete = 1;

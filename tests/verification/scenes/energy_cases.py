@@ -50,7 +50,7 @@ def swimmer_imbalance(run):
       "Time/Time step = 1 ms", "Fluid/Energy budget = true")
 def prescribed_bell_in_water(run):
     table = run.table("statistics")
-    yield Number("energy imbalance over muscle work", swimmer_imbalance(run), 0, 1e-3, "theory")
+    yield Number("energy imbalance over muscle work", swimmer_imbalance(run), 0, 1e-4, "theory")
     # Body, fluid and what lies between them share the terms.
     work = {name: table[name][-1] for name in table if "[J]" in name}
     total = (work["elastic energy [J]"] + work["kinetic energy of body [J]"]
