@@ -50,12 +50,15 @@ def parse_overlay(text):
             "column": parts[3] if len(parts) > 3 else y, "label": pathlib.Path(parts[0]).stem}
 
 
-def plot_motion(folder, target, extra, overlays):
-    """Curves of statistics.csv over time, one below the other."""
+def plot_motion(folder, target, extra, overlays, span):
+    """Curves of statistics.csv over time, or a span of it, one below the other."""
     table = ephyra_io.read_csv(folder / "statistics.csv")
     if "height [m]" in table:
         table["fineness [-]"] = table["height [m]"] / (2 * table["widest radius [m]"])
     time = find_column(table, "time [s]")
+    if span:
+        inside = (table[time] >= span[0]) & (table[time] <= span[1])
+        table = {name: values[inside] for name, values in table.items()}
     wanted = [find_column(table, name) for name in MOTION + extra]
     wanted = list(dict.fromkeys(name for name in wanted if name))
     if not wanted:
@@ -75,6 +78,8 @@ def plot_motion(folder, target, extra, overlays):
         axis.set_ylabel(shown.replace("centre of mass ", ""))
         axis.grid(alpha=0.3)
     axes[-1, 0].set_xlabel("time [s]")
+    if span:
+        axes[-1, 0].set_xlim(*span)
     return save(figure, target / "motion.png")
 
 
@@ -216,6 +221,8 @@ def main(arguments):
     parser.add_argument("--column", action="append", default=[],
                         help="a further column of statistics.csv to draw, or \"fineness [-]\", height "
                         "over widest diameter; repeatable")
+    parser.add_argument("--span", type=float, nargs=2, metavar=("T0", "T1"),
+                        help="of the curves, in s (default: the whole run)")
     parser.add_argument("--overlay", action="append", default=[],
                         metavar='"FILE; x; y; COLUMN"',
                         help="a CSV file to lay over the curve of a column of the run; its x "
@@ -241,7 +248,8 @@ def main(arguments):
     overlays = [parse_overlay(text) for text in options.overlay]
     pictures = []
     if (folder / "statistics.csv").exists():
-        pictures.append(plot_motion(folder, target, options.column, overlays))
+        pictures.append(plot_motion(folder, target, options.column, overlays,
+                                    options.span))
     pictures.append(plot_profiles(folder, target))
     pictures.append(plot_vorticity(folder, target, options.time, options.snapshots,
                                    options.width, options.window))

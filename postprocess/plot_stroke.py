@@ -131,8 +131,8 @@ def plot_circulation(folder, begin, end, level, gap, radius, target):
 
 
 def plot_maps(folder, begin, period, radius, target, stimulus=0.97):
-    """Figure 11: along the subumbrella over the last stroke. The potential is
-    drawn for the first part of it, where the wave passes."""
+    """Figure 11: along the subumbrella over the last stroke, with the place of
+    the stimulus (red) and the begin of the stroke (dashed)."""
     maps = [(f, *rest) for f, *rest in MAPS if (folder / "profiles" / f"{f}.csv").exists()]
     if not maps:
         return None
@@ -144,9 +144,14 @@ def plot_maps(folder, begin, period, radius, target, stimulus=0.97):
         t = table[columns[0]] - begin
         mask = (t > -0.1 * period) & (t <= period * (1 + 1e-9))
         place = 1 - np.array([float(c) for c in columns[1:]])
+        if np.sum(mask) < 2:
+            print(f"stroke: {name} was not written in the last stroke")
+            axis.set_axis_off()
+            continue
         values = np.array([table[c][mask] for c in columns[1:]]) * (factor or 0.5 / radius)
         signed = colours == "RdBu_r"
-        limit = np.nanpercentile(np.abs(values), 99.5) or 1
+        # The pressure of the contraction hides that of the passive stage.
+        limit = np.nanpercentile(np.abs(values), 90 if name == "pressure" else 99.5) or 1
         image = axis.pcolormesh(t[mask], place, values, shading="nearest", rasterized=True,
                                 cmap=colours,
                                 **({"vmin": -limit, "vmax": limit} if signed else {}))
@@ -169,7 +174,9 @@ def print_recoil(folder, begin, period):
         table = ephyra_io.read_csv(path)
         columns = list(table)
         t = table[columns[0]] - begin
-        mask = (t >= 0) & (t <= period)
+        mask = (t >= 0) & (t <= period * (1 + 1e-9))
+        if np.sum(mask) < 2:
+            return
         values = np.abs(np.array([table[c][mask] for c in columns[1:]])).max(axis=0)
         ends[name] = t[mask][np.flatnonzero(values > 0.05 * values.max())[-1]]
     print(f"stroke: activation below 5 % from {ends['activation']:.3g} s on, radial displacement "

@@ -11,6 +11,7 @@ import bell_cases  # noqa: F401, adds to CASES
 import elasticity_cases  # noqa: F401, adds to CASES
 import energy_cases  # noqa: F401, adds to CASES
 import flow_cases  # noqa: F401, adds to CASES
+import jellyfish_cases  # noqa: F401, adds to CASES
 import tissue_cases  # noqa: F401, adds to CASES
 from cases import CASES
 from scene_run import SceneRun
