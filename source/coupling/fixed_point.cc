@@ -44,15 +44,17 @@ namespace ephyra::coupling
   {
     elasticity::InterfaceLoad interface_load;
     interface_load.constant = x;
-    const StepStatus status = body.advance_mechanics(t, dt, interface_load);
+    StepStatus status       = body.advance_mechanics(t, dt, interface_load);
     if (!status.success)
       return status;
     flow.reset_to_predicted(0);
     surface.set_motion(body.motion());
     surface.solve_forcing();
-    force_and_project(0);
+    status = force_and_project(0);
+    if (!status.success)
+      return status;
     result.assign(body.n_unknowns(), 0.);
-    surface.probe_load(flow, result);
+    surface.fluid_load(flow, dt, result);
     return status;
   }
 

@@ -78,6 +78,7 @@ namespace ephyra::coupling
     if (!status.success)
       return status;
     flow.begin_step(t, dt);
+    surface.begin_step(body.motion_between(0.), flow);
     flow.predict(0);
     const TimerTree::Scope scope(timer(), "interface");
     surface.set_geometry(body.extrapolated_motion(dt));
@@ -85,14 +86,14 @@ namespace ephyra::coupling
     return status;
   }
 
-  void
+  StepStatus
   FluidStructureScheme::force_and_project(const unsigned int stage)
   {
-    surface.add_forcing(flow.velocity());
-    flow.project(stage);
-    if (flow.energy() != nullptr)
+    const StepStatus status = surface.force_and_project(flow, stage);
+    if (status.success && flow.energy() != nullptr)
       forcing_work[stage] =
         surface.forcing_work(flow.stage_start(), flow.velocity());
+    return status;
   }
 
   void
@@ -141,6 +142,8 @@ namespace ephyra::coupling
       }
     record.add("fluid force y [N]", axial_load);
     record.add("slip [-]", surface.slip(flow.velocity()));
+    if (surface.reports_roughness())
+      record.add("load roughness [-]", surface.roughness(load));
     record.add("largest marker spacing [cells]", surface.largest_spacing());
     record.add("coupling iterations [-]", last.iterations);
     record.add("interface residual [-]", last.residual);

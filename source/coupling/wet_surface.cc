@@ -1,6 +1,7 @@
 #include "ephyra/coupling/wet_surface.h"
 
 #include "ephyra/base/log.h"
+#include "ephyra/immersed_boundary/no_slip_iteration.h"
 #include "ephyra/splines/control_vector.h"
 
 #include <algorithm>
@@ -43,7 +44,8 @@ namespace ephyra::coupling
                          const splines::NurbsPatch<2>        &patch,
                          const std::vector<splines::Side>    &wet_sides,
                          const fluid::FlowSolver             &flow)
-    : wet_sides(wet_sides)
+    : parameters(parameters)
+    , wet_sides(wet_sides)
     , grid(flow.grid())
     , density(flow.density())
     , largest_marker_spacing(parameters.largest_spacing)
@@ -58,7 +60,12 @@ namespace ephyra::coupling
     , n_control_points(patch.n_control_points())
     , shapes{splines::control_vector(patch)}
   {
+    if (parameters.load == immersed_boundary::Load::forcing)
+      interior = std::make_unique<immersed_boundary::InteriorFluid>(
+        patch, flow.grid(), flow.density(), flow.viscosity(), parameters);
     assemble_shape();
+    if (interior)
+      assemble_to_surface(patch);
     const std::vector<double> rest(2 * n_control_points, 0.);
     set_geometry({splines::control_vector(patch), rest, rest});
   }
@@ -113,6 +120,42 @@ namespace ephyra::coupling
       place_markers();
   }
 
+  WetSurface::assemble_to_surface(const splines::NurbsPatch<2> &patch)
+  {
+    using splines::Side;
+    const auto has = [this](const Side side) {
+      return std::find(wet_sides.begin(), wet_sides.end(), side) !=
+             wet_sides.end();
+    };
+    const bool                          lower = has(Side::theta2_0);
+    const bool                          upper = has(Side::theta2_1);
+    const int                           n     = patch.n_basis(1);
+    const std::vector<double>           xi    = patch.knot_vector(1).greville();
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < patch.n_basis(0); ++i)
+      for (int j = 0; j < n; ++j)
+        {
+          const double share = lower && upper ? xi[j] : upper ? 1. : 0.;
+          if (lower && share < 1.)
+            entries.emplace_back(i * n, i * n + j, 1. - share);
+          if (upper && share > 0.)
+            entries.emplace_back(i * n + n - 1, i * n + j, share);
+          if (!lower && !upper)
+            entries.emplace_back(i * n + j, i * n + j, 1.);
+        }
+    to_surface.resize(n_control_points, n_control_points);
+    to_surface.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  void
+  WetSurface::begin_step(const BodyMotion &start, const fluid::FlowSolver &flow)
+  {
+    if (!interior)
+      return;
+    interior->update(start.position);
+    interior->start(flow.velocity());
+  }
+
   void
   WetSurface::set_geometry(const BodyMotion &motion)
   {
@@ -120,6 +163,8 @@ namespace ephyra::coupling
     the_markers->move(motion.position, motion.velocity, motion.acceleration);
     follow_stretch(motion);
     forcing->update(*the_markers);
+    if (interior)
+      interior->update(motion.position);
   }
 
   void
@@ -134,24 +179,39 @@ namespace ephyra::coupling
     forcing->interpolate(predicted, Ju);
   }
 
-  void
-  WetSurface::solve_forcing()
+  std::vector<double>
+  WetSurface::target() const
   {
     const auto         &state = the_markers->state();
-    const std::size_t   n     = state.r.size();
-    std::vector<double> residual(2 * n);
-    for (std::size_t l = 0; l < n; ++l)
-      {
-        residual[l]     = state.v_r[l] - Ju[l];
-        residual[n + l] = state.v_y[l] - Ju[n + l];
-      }
-    forcing->solve(residual, F);
+    std::vector<double> V(state.v_r);
+    V.insert(V.end(), state.v_y.begin(), state.v_y.end());
+    return V;
   }
 
   void
-  WetSurface::add_forcing(fluid::VelocityField &u) const
+  WetSurface::solve_forcing()
   {
-    forcing->spread(F, u);
+    std::vector<double> residual = target();
+    for (std::size_t l = 0; l < residual.size(); ++l)
+      residual[l] -= Ju[l];
+    forcing->solve(residual, F);
+  }
+
+  StepStatus
+  WetSurface::force_and_project(fluid::FlowSolver &flow,
+                                const unsigned int stage)
+  {
+    if (parameters.no_slip_iterations > 0)
+      return immersed_boundary::converge_no_slip(flow,
+                                                 stage,
+                                                 *forcing,
+                                                 target(),
+                                                 parameters.no_slip_tolerance,
+                                                 parameters.no_slip_iterations,
+                                                 F);
+    forcing->spread(F, flow.velocity());
+    flow.project(stage);
+    return {};
   }
 
   double
@@ -216,6 +276,48 @@ namespace ephyra::coupling
 
     the_markers->to_control_points(surface_loads->marker_forces(*the_markers),
                                    load);
+  }
+
+  void
+  WetSurface::fluid_load(const fluid::FlowSolver &flow,
+                         const double             dt,
+                         std::vector<double>     &load)
+  {
+    if (!interior)
+      return probe_load(flow, load);
+    std::fill(load.begin(), load.end(), 0.);
+    add_forcing_load(dt, load);
+    std::vector<double> inside(load.size(), 0.);
+    interior->add_load(dt, flow.pressure(), flow.velocity(), inside);
+    const Eigen::Map<
+      const Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>
+      volume(inside.data(), n_control_points, 2);
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>>(
+      load.data(), n_control_points, 2) += to_surface * volume;
+  }
+
+  double
+  WetSurface::roughness(const std::vector<double> &load) const
+  {
+    std::vector<double> area(n_control_points, 0.);
+    const auto         &state = the_markers->state();
+    for (int l = 0; l < the_markers->size(); ++l)
+      for (Matrix::InnerIterator R(shape, l); R; ++R)
+        area[R.col()] += R.value() * 2. * M_PI * state.r[l] * state.length[l];
+    double rough = 0., size = 0.;
+    for (const auto &curve : the_markers->curves())
+      for (std::size_t k = 1; k + 1 < curve.control_points.size(); ++k)
+        for (int c = 0; c < 2; ++c)
+          {
+            const auto traction = [&](const std::size_t at) {
+              const int i = curve.control_points[at];
+              return load[2 * i + c] / area[i];
+            };
+            rough +=
+              std::pow(traction(k - 1) - 2. * traction(k) + traction(k + 1), 2);
+            size += std::pow(traction(k), 2);
+          }
+    return size > 0. ? 0.25 * std::sqrt(rough / size) : 0.;
   }
 
   linear_algebra::SparsityPattern

@@ -56,13 +56,22 @@ namespace ephyra::immersed_boundary
                       "body along the normal, over the local cell size. The "
                       "spread forcing moves the wall that the flow sees out by "
                       "about a quarter of a cell.");
+    prm.declare_entry(
+      "Load",
+      "probes",
+      patterns::Selection("probes|forcing"),
+      "Load on a deformable body in the coupling schemes that iterate: from "
+      "the probes, or the opposite of the forcing together with momentum and "
+      "stress of the fluid inside the body. The scheme 'forcing as load' has "
+      "its own.");
     prm.declare_entry("No-slip iterations",
                       "0",
                       patterns::Integer(0, 200),
                       "Largest number of iterations that bring the velocity "
                       "after the projection to the markers, one projection "
                       "each; for rigid bodies that are fixed or moved by a "
-                      "law. 0: forcing and projection once.");
+                      "law, and for deformable ones in coupling schemes that "
+                      "iterate. 0: forcing and projection once.");
     prm.declare_entry("No-slip tolerance",
                       "1e-3 m/s",
                       patterns::Positive("m/s"),
@@ -97,6 +106,13 @@ namespace ephyra::immersed_boundary
       "Report slip and leakage also on the surface of rigid "
       "bodies, where the flow outside, continued by a parabola, "
       "meets it; without it only at the forcing points.");
+    prm.declare_entry("Load roughness",
+                      "false",
+                      patterns::Bool(),
+                      "Report the roughness of the load on a deformable body: "
+                      "its second differences along the surface over the load "
+                      "itself, 1 for a load that alternates from control "
+                      "point to control point.");
   }
 
   void
@@ -109,15 +125,16 @@ namespace ephyra::immersed_boundary
     weight = chosen == "cubic spline" || (chosen == "automatic" && rigid_bodies)
                ? WeightFunction::cubic_spline
                : WeightFunction::exponential;
-    half_width         = prm.get_double("Half width");
-    exponential_width  = prm.get_double("Exponential width");
-    forcing_solver     = prm.get("Forcing") == "exact" ? ForcingSolver::exact
-                                                       : ForcingSolver::sweeps;
-    forcing_sweeps     = prm.get_integer("Forcing sweeps");
-    inward_shift       = prm.get_double("Inward shift");
-    no_slip_iterations = prm.get_integer("No-slip iterations");
-    no_slip_tolerance  = prm.get_double("No-slip tolerance");
-    probe_length       = prm.get_double("Probe length");
+    half_width        = prm.get_double("Half width");
+    exponential_width = prm.get_double("Exponential width");
+    forcing_solver    = prm.get("Forcing") == "exact" ? ForcingSolver::exact
+                                                      : ForcingSolver::sweeps;
+    forcing_sweeps    = prm.get_integer("Forcing sweeps");
+    inward_shift      = prm.get_double("Inward shift");
+    load = prm.get("Load") == "probes" ? Load::probes : Load::forcing;
+    no_slip_iterations         = prm.get_integer("No-slip iterations");
+    no_slip_tolerance          = prm.get_double("No-slip tolerance");
+    probe_length               = prm.get_double("Probe length");
     const std::string pressure = prm.get("Wall pressure");
     wall_pressure =
       pressure == "probe" ? WallPressure::probe
@@ -125,9 +142,10 @@ namespace ephyra::immersed_boundary
         ? WallPressure::linear
         : WallPressure::acceleration;
     const std::string formula = prm.get("Friction");
-    friction     = formula == "one-point"   ? FrictionFormula::one_point
-                   : formula == "quadratic" ? FrictionFormula::quadratic
-                                            : FrictionFormula::extrapolated;
-    surface_slip = prm.get_bool("Surface slip");
+    friction       = formula == "one-point"   ? FrictionFormula::one_point
+                     : formula == "quadratic" ? FrictionFormula::quadratic
+                                              : FrictionFormula::extrapolated;
+    surface_slip   = prm.get_bool("Surface slip");
+    load_roughness = prm.get_bool("Load roughness");
   }
 } // namespace ephyra::immersed_boundary

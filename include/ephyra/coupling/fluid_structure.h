@@ -66,7 +66,7 @@ namespace ephyra::coupling
     prepare(double t, double dt);
     /// Forcing for the present motion of the markers, and projection, for the
     /// stage that was predicted.
-    void
+    StepStatus
     force_and_project(unsigned int stage);
     /// Body and flow go on to the new level.
     void

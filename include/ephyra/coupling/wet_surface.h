@@ -1,9 +1,11 @@
 #pragma once
 
 #include "ephyra/base/archive.h"
+#include "ephyra/base/step_status.h"
 #include "ephyra/coupling/body_motion.h"
 #include "ephyra/fluid/flow_solver.h"
 #include "ephyra/immersed_boundary/direct_forcing.h"
+#include "ephyra/immersed_boundary/interior_fluid.h"
 #include "ephyra/immersed_boundary/markers.h"
 #include "ephyra/immersed_boundary/surface_loads.h"
 #include "ephyra/linear_algebra/sparse_matrix.h"
@@ -33,6 +35,10 @@ namespace ephyra::coupling
                const std::vector<splines::Side>    &wet_sides,
                const fluid::FlowSolver             &flow);
 
+    /// At the start of a step, with the motion of the body and the flow there;
+    /// collective.
+    void
+    begin_step(const BodyMotion &start, const fluid::FlowSolver &flow);
     /// Markers at the given motion; stencils follow the positions. Where the
     /// surface has been stretched beyond the largest marker spacing, the markers
     /// are placed anew, closely enough for all shapes for which that was done.
@@ -53,9 +59,12 @@ namespace ephyra::coupling
     /// Forcing that gives the flow the velocity of the markers.
     void
     solve_forcing();
-    /// u += S F.
-    void
-    add_forcing(fluid::VelocityField &u) const;
+    /// velocity() of the flow += S F, projected; with `No-slip iterations` F is
+    /// improved until the projected velocity meets the markers, which may
+    /// fail. After solve_forcing(), for the stage that was predicted.
+    /// Collective.
+    StepStatus
+    force_and_project(fluid::FlowSolver &flow, unsigned int stage);
 
     /// Work of the forcing on the flow in a stage between two velocities, J;
     /// collective.
@@ -80,6 +89,18 @@ namespace ephyra::coupling
     /// The same as consistent nodal forces, N; collective.
     void
     probe_load(const fluid::FlowSolver &flow, std::vector<double> &load);
+    /// The load of the fluid at the control points after force_and_project()
+    /// of a step of length @p dt with one stage, N, from the probes or from
+    /// forcing and interior fluid (`Immersed boundary/Load`); collective.
+    void
+    fluid_load(const fluid::FlowSolver &flow,
+               double                   dt,
+               std::vector<double>     &load);
+    /// Roughness of nodal loads f: with the tractions t_i = f_i / (area of R_i)
+    /// along the wet sides, root of sum |t_{i-1} - 2 t_i + t_{i+1}|^2 over
+    /// 4 (sum |t_i|^2)^(1/2); 1 for a load that alternates, 0 for none.
+    double
+    roughness(const std::vector<double> &load) const;
 
     /// Pairs of unknowns that forcing_resistance() couples, with a margin for
     /// deformation: those of markers less than a few cells apart.
@@ -110,6 +131,12 @@ namespace ephyra::coupling
     double
     largest_spacing() const;
 
+    bool
+    reports_roughness() const
+    {
+      return parameters.load_roughness;
+    }
+
   private:
     void
     assemble_shape();
@@ -118,7 +145,16 @@ namespace ephyra::coupling
     place_markers();
     void
     follow_stretch(const BodyMotion &motion);
+    /// What the fluid inside gives to the body acts on its surface: the nodal
+    /// forces across the thickness are moved to the wet sides theta^2 = 0 and 1
+    /// with their sum and, between two sides, their moment.
+    void
+    assemble_to_surface(const splines::NurbsPatch<2> &patch);
+    /// Velocities of the markers, all radial components first.
+    std::vector<double>
+    target() const;
 
+    const immersed_boundary::Parameters               parameters;
     const std::vector<splines::Side>                  wet_sides;
     const fluid::StaggeredGrid                       &grid;
     const double                                      density;
@@ -126,8 +162,10 @@ namespace ephyra::coupling
     std::unique_ptr<immersed_boundary::Markers>       the_markers;
     std::unique_ptr<immersed_boundary::DirectForcing> forcing;
     std::unique_ptr<immersed_boundary::SurfaceLoads>  surface_loads;
+    std::unique_ptr<immersed_boundary::InteriorFluid> interior; ///< or null
     const int                                         n_control_points;
-    Matrix                           shape;  ///< B, one component
+    Matrix shape;      ///< B, one component
+    Matrix to_surface; ///< control points to those of wet sides
     std::vector<std::vector<double>> shapes; ///< control positions
     std::vector<double>              frozen_position;
     std::vector<double>              Ju, F; ///< of markers

@@ -38,6 +38,13 @@ namespace ephyra::immersed_boundary
     linear        ///< 2 p(h) - p(2h)
   };
 
+  /// Load of the fluid on a deformable body in the schemes that iterate.
+  enum class Load
+  {
+    probes, ///< traction at the probes
+    forcing ///< opposite of the forcing, with the momentum of the fluid inside
+  };
+
   /// Parameters of the immersed boundary, section "Immersed boundary" of a
   /// scene. Lengths are multiples of the local cell size.
   struct Parameters
@@ -52,16 +59,20 @@ namespace ephyra::immersed_boundary
     int           forcing_sweeps = 3;
     double        inward_shift   = 0.25;
 
-    /// Of converge_no_slip(), for rigid bodies that are not free; 0: off.
+    /// Of converge_no_slip(), for rigid bodies that are not free and for
+    /// deformable bodies in schemes that iterate; 0: off.
     int    no_slip_iterations = 0;
     double no_slip_tolerance  = 1e-3; ///< m/s
 
+    Load            load          = Load::probes;
     double          probe_length  = 1.5;
     WallPressure    wall_pressure = WallPressure::acceleration;
     FrictionFormula friction      = FrictionFormula::quadratic;
 
     /// Report slip and leakage on the surface as well.
     bool surface_slip = false;
+    /// Report the roughness of the load on a deformable body.
+    bool load_roughness = false;
 
     static void
     declare(ParameterHandler &prm);
