@@ -1,5 +1,6 @@
 #include "ephyra/coupling/wet_surface.h"
 
+#include "ephyra/base/exceptions.h"
 #include "ephyra/base/log.h"
 #include "ephyra/immersed_boundary/no_slip_iteration.h"
 #include "ephyra/splines/control_vector.h"
@@ -60,6 +61,12 @@ namespace ephyra::coupling
     , n_control_points(patch.n_control_points())
     , shapes{splines::control_vector(patch)}
   {
+    EphyraThrowIf(parameters.load == immersed_boundary::Load::forcing &&
+                    flow.n_stages() != 1,
+                  InputError,
+                  "Immersed boundary/Load = forcing needs a flow with one "
+                  "projection a step; set Fluid/Time scheme = ab2 or Load = "
+                  "probes.");
     if (parameters.load == immersed_boundary::Load::forcing)
       interior = std::make_unique<immersed_boundary::InteriorFluid>(
         patch, flow.grid(), flow.density(), flow.viscosity(), parameters);
@@ -120,6 +127,7 @@ namespace ephyra::coupling
       place_markers();
   }
 
+  void
   WetSurface::assemble_to_surface(const splines::NurbsPatch<2> &patch)
   {
     using splines::Side;
