@@ -37,10 +37,10 @@ def read_table(path):
 
 
 def find_columns(rows, wanted, kind):
-    """The columns of those names or, failing that, that hold one of the texts."""
+    """The columns of those names or, where a text is no name, that hold it."""
     names = list(rows[0])
-    found = [n for n in names if n in wanted] or [n for n in names
-                                                  if any(text in n for text in wanted)]
+    found = [n for n in names if any(n == text or (text not in names and text in n)
+                                     for text in wanted)]
     if not found:
         raise Wrong(f"no column for {kind} holds '{', '.join(wanted)}'; there are "
                     f"{', '.join(names)}")
