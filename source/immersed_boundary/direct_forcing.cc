@@ -37,7 +37,7 @@ namespace ephyra::immersed_boundary
         return y.width[j];
       if (j > 0 && j < y.n_cells)
         return y.centre_gap[j];
-      return grid.periodic_y ? y.centre_gap.front() + y.centre_gap.back() : 0.;
+      return grid.periodic_y ? y.centre_gap.front() : 0.;
     }
 
     /// Lists the markers that spread to a node: open addressing from the node

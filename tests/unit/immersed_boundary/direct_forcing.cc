@@ -52,11 +52,18 @@ namespace
 
 BOOST_AUTO_TEST_CASE(the_impulse_is_conserved)
 {
-  for (const double shift : {0., 0.4})
+  // Also across the seam of a periodic grid.
+  for (const auto &[shift, periodic] :
+       {std::pair{0., false}, {0.4, false}, {0.25, true}})
     {
-      const fluid::StaggeredGrid grid    = make_grid();
-      const Markers              markers = sphere(grid);
-      Parameters                 parameters;
+      const fluid::StaggeredGrid grid(test::line(24, 0., 1., 0.3),
+                                      test::line(48, -1., 1., 0.3),
+                                      periodic,
+                                      MPI_COMM_WORLD);
+      const Outline              o = test::spheroid(0.5, 0.5, "sphere");
+      const Markers              markers(
+        o.curves, control_vector(o, periodic ? 0.9 : 0.021), grid);
+      Parameters parameters;
       parameters.inward_shift = shift;
       DirectForcing forcing(grid, parameters);
       forcing.update(markers);

@@ -350,4 +350,4 @@ def rod_in_annulus(run):
         last_period = [abs(v) for t, v in zip(table["time [s]"],
                                               table["axial velocity [m/s]"])
                        if t >= table["time [s]"][-1] - 1]
-        yield relative(f"amplitude of v_y {where}", max(last_period), reference, 0.02, FORMULA)
+        yield relative(f"amplitude of v_y {where}", max(last_period), reference, 0.015, FORMULA)
