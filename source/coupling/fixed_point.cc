@@ -1,6 +1,8 @@
 #include "ephyra/coupling/fixed_point.h"
 
 #include "ephyra/base/exceptions.h"
+#include "ephyra/base/log.h"
+#include "ephyra/base/timer_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,38 +25,64 @@ namespace ephyra::coupling
   FixedPoint::FixedPoint(fluid::FlowSolver        &flow,
                          DeformableBody           &body,
                          WetSurface               &surface,
-                         const CouplingParameters &parameters)
+                         const CouplingParameters &parameters,
+                         const bool                with_added_mass)
     : FluidStructureScheme(flow, body, surface)
     , parameters(parameters)
     , acceleration(make_acceleration(parameters.acceleration))
     , older_load(body.n_unknowns(), 0.)
+    , older_acceleration(body.n_unknowns(), 0.)
   {
-    EphyraThrowIf(flow.n_stages() != 1,
-                  InputError,
-                  "Coupling/Scheme = fixed point needs a flow with one "
-                  "projection a step; set Fluid/Time scheme = "
-                  "ab2 or use Scheme = sequential.");
+    flow.keep_predicted(flow.n_stages() == 1);
+    if (!with_added_mass)
+      return;
+    added_mass =
+      std::make_unique<AddedMass>(surface.markers(), body.n_unknowns() / 2);
+    body.mechanics().allow_coupling(added_mass->pattern());
   }
 
   StepStatus
-  FixedPoint::answer(const double               t,
-                     const double               dt,
-                     const std::vector<double> &x,
-                     std::vector<double>       &result)
+  FixedPoint::measure_added_mass(const std::string &reason)
   {
-    elasticity::InterfaceLoad interface_load;
-    interface_load.constant = x;
-    StepStatus status       = body.advance_mechanics(t, dt, interface_load);
+    const TimerTree::Scope scope(timer(), "added mass");
+    const auto            &unknowns = added_mass->unknowns();
+    const auto             n = static_cast<Eigen::Index>(unknowns.size());
+    const auto &constraints  = body.mechanics().body().get_constraints();
+    // Fast enough to stand out, too slow for convection to matter.
+    constexpr double courant_number = 1e-3;
+    const auto      &grid           = flow.grid();
+    const double     velocity =
+      courant_number *
+      std::min(grid.r.smallest_width(), grid.y.smallest_width()) / step;
+    const double        a      = velocity / (body.newmark_gamma() * step);
+    BodyMotion          motion = body.extrapolated_motion(step);
+    std::vector<double> base, changed;
+    StepStatus          status  = respond(motion, base);
+    Eigen::MatrixXd     columns = Eigen::MatrixXd::Zero(n, n);
+    for (Eigen::Index k = 0; k < n && status.success; ++k)
+      {
+        const int i = unknowns[k];
+        if (constraints.equation(i) < 0)
+          continue;
+        const double v_i = motion.velocity[i], a_i = motion.acceleration[i];
+        motion.velocity[i] += velocity;
+        motion.acceleration[i] += a;
+        status = respond(motion, changed);
+        if (!status.success)
+          break;
+        motion.velocity[i]     = v_i;
+        motion.acceleration[i] = a_i;
+        for (Eigen::Index l = 0; l < n; ++l)
+          columns(l, k) = (changed[unknowns[l]] - base[unknowns[l]]) / a;
+      }
     if (!status.success)
       return status;
-    flow.reset_to_predicted(0);
-    surface.set_motion(body.motion());
-    surface.solve_forcing();
-    status = force_and_project(0);
-    if (!status.success)
-      return status;
-    result.assign(body.n_unknowns(), 0.);
-    surface.fluid_load(flow, dt, result);
+    added_mass->set(std::move(columns), surface.markers());
+    excess = 0;
+    std::ostringstream line;
+    line << "Coupling: added mass of " << n << " unknowns measured at "
+         << step_start << " s (" << reason << ").";
+    log().line(line.str());
     return status;
   }
 
@@ -64,28 +92,88 @@ namespace ephyra::coupling
     StepStatus status = prepare(t, dt);
     if (!status.success)
       return status;
+    bool measured = false;
+    if (added_mass)
+      {
+        const auto enough =
+          static_cast<std::int64_t>(added_mass->unknowns().size());
+        measured = !added_mass->known() || excess > enough;
+        if (measured)
+          status = measure_added_mass(
+            added_mass->known() ? "the old one has aged" : "first step");
+        if (!status.success)
+          return status;
+      }
+    std::vector<double> answer;
+    status = iterate(t, dt, answer);
+    if (!status.success && added_mass && !measured)
+      {
+        status = measure_added_mass("the step did not converge");
+        if (status.success)
+          status = iterate(t, dt, answer);
+      }
+    if (!status.success)
+      return status;
+    excess += std::max(0, status.iterations - 2);
+    older_load         = load;
+    older_acceleration = body.mechanics().old_acceleration();
+    older_step         = dt;
+    accept(answer);
+    last = status;
+    return status;
+  }
 
-    acceleration->start_step();
+  StepStatus
+  FixedPoint::iterate(const double         t,
+                      const double         dt,
+                      std::vector<double> &answer)
+  {
+    const std::size_t         n = body.n_unknowns();
+    elasticity::InterfaceLoad interface_load;
+    AddedMass::Matrix         A;
+    // Linear prediction of the load, and with A of the acceleration.
+    const double         trend = older_step > 0 ? dt / older_step : 0.;
+    std::vector<double> &g     = interface_load.constant;
+    g                          = load;
+    for (std::size_t i = 0; i < n; ++i)
+      g[i] += trend * (load[i] - older_load[i]);
+    if (added_mass)
+      {
+        A                    = added_mass->at(surface.markers());
+        interface_load.added = &A;
+        Eigen::VectorXd a(n);
+        const auto     &old = body.mechanics().old_acceleration();
+        for (std::size_t i = 0; i < n; ++i)
+          a[i] = old[i] + trend * (old[i] - older_acceleration[i]);
+        Eigen::Map<Eigen::VectorXd>(g.data(), n) -= A * a;
+      }
+
     // Loads that strain the body by less than this are below what its Newton
     // iteration resolves.
     constexpr double smallest_strain = 1e-11;
     const double     floor =
       std::max(parameters.absolute_tolerance,
                smallest_strain * body.mechanics().body().unit_force());
-    std::vector<double> x(load), result; // linear prediction
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] += load[i] - older_load[i];
-
+    StepStatus status;
+    acceleration->start_step();
     for (int k = 1; k <= parameters.maximum_iterations; ++k)
       {
-        status = answer(t, dt, x, result);
+        status = body.advance_mechanics(t, dt, interface_load);
         if (!status.success)
           break;
-        double change = 0;
-        for (std::size_t i = 0; i < x.size(); ++i)
-          change += std::pow(result[i] - x[i], 2);
+        status = respond(body.motion(), answer);
+        if (!status.success)
+          break;
+        const std::vector<double> &used = body.interface_force();
+        std::vector<double>        improved(g); // g plus the residual
+        double                     change = 0;
+        for (std::size_t i = 0; i < n; ++i)
+          {
+            improved[i] += answer[i] - used[i];
+            change += std::pow(answer[i] - used[i], 2);
+          }
         change            = std::sqrt(change);
-        const double size = norm(result);
+        const double size = norm(answer);
         if (!std::isfinite(change))
           {
             status = StepStatus::failure(
@@ -100,12 +188,9 @@ namespace ephyra::coupling
         if (change <= parameters.tolerance * size + floor)
           {
             acceleration->finish_step(true);
-            older_load = load;
-            accept(result);
-            last = status;
             return status;
           }
-        x = acceleration->next(x, result);
+        g = acceleration->next(g, improved);
       }
 
     acceleration->finish_step(false);
@@ -128,7 +213,16 @@ namespace ephyra::coupling
   {
     FluidStructureScheme::serialize(archive);
     archive.values("older load", older_load);
-    const Archive::Group group(archive, "acceleration");
-    acceleration->serialize(archive);
+    archive.values("older acceleration", older_acceleration);
+    archive.value("older step", older_step);
+    {
+      const Archive::Group group(archive, "acceleration");
+      acceleration->serialize(archive);
+    }
+    if (!added_mass)
+      return;
+    const Archive::Group group(archive, "added mass");
+    archive.value("excess", excess);
+    added_mass->serialize(archive);
   }
 } // namespace ephyra::coupling

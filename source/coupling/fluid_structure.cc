@@ -6,6 +6,8 @@
 #include "ephyra/coupling/forcing_as_load.h"
 #include "ephyra/coupling/sequential.h"
 
+#include <cmath>
+
 namespace ephyra::coupling
 {
   void
@@ -14,12 +16,15 @@ namespace ephyra::coupling
     prm.declare_entry(
       "Scheme",
       "automatic",
-      patterns::Selection("automatic|sequential|forcing as load|fixed point"),
+      patterns::Selection("automatic|sequential|forcing as load|fixed point|"
+                          "added mass"),
       "How body and flow are coupled. Sequential: the load of the previous "
       "step (the paper's scheme; unstable for thin bodies). Forcing as load: "
-      "implicit without iteration, for bodies at least as dense as the fluid. "
-      "Fixed point: implicit by iteration, for any density. Automatic: forcing "
-      "as load where it is possible, else fixed point.");
+      "implicit without iteration, for bodies at least as dense as the fluid, "
+      "with Time scheme = ab2. Added mass: implicit by iteration, with the "
+      "measured added mass of the fluid in the matrix of the body, for any "
+      "density and time scheme. Fixed point: the same without. Automatic: "
+      "forcing as load where it is possible, else added mass.");
     prm.declare_entry("Load of sequential scheme",
                       "probes",
                       patterns::Selection("probes|forcing"),
@@ -29,18 +34,21 @@ namespace ephyra::coupling
     prm.declare_entry("Tolerance",
                       "1e-3",
                       patterns::Double("", 1e-12, 0.5),
-                      "Fixed point: change of the load relative to the load at "
+                      "Fixed point, added mass: change of the load relative to "
+                      "the load at "
                       "which a step has converged.");
-    prm.declare_entry("Absolute tolerance",
-                      "0",
-                      patterns::Double("N", 0.),
-                      "Fixed point: change of the load (norm of the nodal "
-                      "forces) that always counts as converged; never less "
-                      "than what strains the body by 1e-11.");
+    prm.declare_entry(
+      "Absolute tolerance",
+      "0",
+      patterns::Double("N", 0.),
+      "Fixed point, added mass: change of the load (norm of the nodal "
+      "forces) that always counts as converged; never less "
+      "than what strains the body by 1e-11.");
     prm.declare_entry("Maximum iterations",
                       "50",
                       patterns::Integer(1, 1000),
-                      "Fixed point: iterations after which a step has failed.");
+                      "Fixed point, added mass: iterations after which a step "
+                      "has failed.");
     Acceleration::Parameters::declare(prm);
   }
 
@@ -51,6 +59,7 @@ namespace ephyra::coupling
     scheme                 = name == "sequential" ? SchemeKind::sequential
                              : name == "forcing as load" ? SchemeKind::forcing_as_load
                              : name == "fixed point" ? SchemeKind::fixed_point
+                             : name == "added mass"  ? SchemeKind::added_mass
                                                      : SchemeKind::automatic;
     load = prm.get("Load of sequential scheme") == "probes" ? LoadKind::probes
                                                             : LoadKind::forcing;
@@ -77,13 +86,66 @@ namespace ephyra::coupling
     const StepStatus status = body.advance_activation(t, dt);
     if (!status.success)
       return status;
+    step_start  = t;
+    step        = dt;
+    flow_solves = 0;
     flow.begin_step(t, dt);
     surface.begin_step(body.motion_between(0.), flow);
     flow.predict(0);
+    if (flow.n_stages() > 1)
+      flow.keep_first_stage();
     const TimerTree::Scope scope(timer(), "interface");
-    surface.set_geometry(body.extrapolated_motion(dt));
+    surface.set_geometry(body.extrapolated_motion(flow.stage_time(0) - t));
     surface.sample(flow.velocity());
     return status;
+  }
+
+  StepStatus
+  FluidStructureScheme::respond(const BodyMotion    &end,
+                                std::vector<double> &new_load)
+  {
+    ++flow_solves;
+    const bool       several = flow.n_stages() > 1;
+    const BodyMotion begin   = body.motion_between(0.);
+    const auto       blend   = [](const std::vector<double> &a,
+                          const std::vector<double> &b,
+                          const double               fraction) {
+      std::vector<double> result(a);
+      for (std::size_t i = 0; i < result.size(); ++i)
+        result[i] += fraction * (b[i] - a[i]);
+      return result;
+    };
+    for (unsigned int k = 0; k < flow.n_stages(); ++k)
+      {
+        if (k > 0)
+          flow.predict(k);
+        else if (several)
+          flow.return_to_first_stage();
+        else
+          flow.reset_to_predicted(0);
+        const double time     = flow.stage_time(k) - step_start;
+        const double fraction = time / step;
+        {
+          const TimerTree::Scope scope(timer(), "interface");
+          if (several)
+            {
+              surface.set_geometry(body.extrapolated_motion(time));
+              surface.sample(flow.velocity());
+            }
+          surface.set_motion(
+            {{},
+             blend(begin.velocity, end.velocity, fraction),
+             blend(begin.acceleration, end.acceleration, fraction)});
+          surface.solve_forcing();
+        }
+        const StepStatus status = force_and_project(k);
+        if (!status.success)
+          return status;
+      }
+    const TimerTree::Scope scope(timer(), "interface");
+    new_load.assign(body.n_unknowns(), 0.);
+    surface.fluid_load(flow, step, new_load);
+    return {};
   }
 
   StepStatus
@@ -153,8 +215,22 @@ namespace ephyra::coupling
   FluidStructureScheme::evaluate_iterations(Record &record) const
   {
     record.add("iterations [-]", last.iterations);
+    record.add("flow solves [-]", flow_solves);
     record.add("residual [-]", last.residual);
     record.add("relaxation [-]", relaxation);
+  }
+
+  double
+  relative_difference(const std::vector<double> &a,
+                      const std::vector<double> &b)
+  {
+    double change = 0, size = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      {
+        change += std::pow(a[i] - b[i], 2);
+        size += std::pow(a[i], 2);
+      }
+    return change > 0 ? std::sqrt(change / size) : 0.;
   }
 
   std::unique_ptr<Scheme>
@@ -167,18 +243,21 @@ namespace ephyra::coupling
     Kind kind  = parameters.scheme;
     if (kind == Kind::automatic)
       {
-        kind = body.density() >= flow.density() ? Kind::forcing_as_load
-                                                : Kind::fixed_point;
+        const bool light   = body.density() < flow.density();
+        const bool several = flow.n_stages() > 1;
+        kind = light || several ? Kind::added_mass : Kind::forcing_as_load;
         log().line(std::string("Coupling: ") +
-                   (kind == Kind::forcing_as_load
-                      ? "forcing as load (the body is not lighter than the "
-                        "fluid)"
-                      : "fixed point (the body is lighter than the fluid)"));
+                   (light ? "added mass (the body is lighter than the fluid)"
+                    : several
+                      ? "added mass (the flow has several stages)"
+                      : "forcing as load (the body is not lighter than the "
+                        "fluid)"));
       }
     if (kind == Kind::forcing_as_load)
       return std::make_unique<ForcingAsLoad>(flow, body, surface);
-    if (kind == Kind::fixed_point)
-      return std::make_unique<FixedPoint>(flow, body, surface, parameters);
+    if (kind == Kind::fixed_point || kind == Kind::added_mass)
+      return std::make_unique<FixedPoint>(
+        flow, body, surface, parameters, kind == Kind::added_mass);
     log().warning(
       "sequential coupling is unstable, at any time step, where the "
       "added mass of the fluid exceeds the mass of the body");

@@ -15,13 +15,14 @@ namespace ephyra::coupling
                   "Coupling/Scheme = forcing as load needs a body at least as "
                   "dense as the fluid, but the body has "
                     << body.density() << " kg/m^3 and the fluid "
-                    << flow.density() << "; use Scheme = fixed point.");
+                    << flow.density() << "; use Scheme = added mass.");
     EphyraThrowIf(flow.n_stages() != 1,
                   InputError,
                   "Coupling/Scheme = forcing as load needs a flow with one "
                   "projection a step; set Fluid/Time scheme = "
-                  "ab2 or use Scheme = sequential.");
+                  "ab2 or use Scheme = added mass.");
     flow.keep_predicted(false);
+    body.mechanics().allow_coupling(surface.coupling_pattern());
   }
 
   StepStatus
@@ -30,6 +31,7 @@ namespace ephyra::coupling
     StepStatus status = prepare(t, dt);
     if (!status.success)
       return status;
+    const std::size_t n = body.n_unknowns();
 
     // The load that would follow from a vanishing new acceleration, and how it
     // changes with the acceleration.
@@ -39,7 +41,7 @@ namespace ephyra::coupling
       const TimerTree::Scope scope(timer(), "interface");
       surface.set_motion(body.motion_without_new_acceleration(dt));
       surface.solve_forcing();
-      interface_load.constant.assign(body.n_unknowns(), 0.);
+      interface_load.constant.assign(n, 0.);
       surface.add_forcing_load(dt, interface_load.constant);
       added = surface.forcing_resistance(dt);
       added *= -dt * body.newmark_gamma();
@@ -55,12 +57,19 @@ namespace ephyra::coupling
     surface.set_motion(body.motion());
     surface.solve_forcing();
     force_and_project(0);
+    flow_solves = 1;
 
-    accept(body.interface_force());
-    // The load is part of the body's equations: nothing is left to iterate.
-    status.iterations = 1;
-    status.residual   = 0.;
-    last              = status;
+    // The load is part of the body's equations: what is left is their residual.
+    std::vector<double> inertia(body.mechanics().acceleration()), given(n, 0.);
+    for (double &a : inertia)
+      a *= interface_load.inertia_ratio;
+    body.mechanics().body().add_inertia(inertia, given);
+    surface.add_forcing_load(dt, given);
+    const std::vector<double> used = body.interface_force();
+    status.iterations              = 1;
+    status.residual                = relative_difference(given, used);
+    accept(used);
+    last = status;
     return status;
   }
 } // namespace ephyra::coupling

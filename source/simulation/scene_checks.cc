@@ -210,15 +210,22 @@ namespace ephyra::simulation
           message << "it needs a body at least as dense as the fluid, but the "
                      "body has "
                   << body_density << " kg/m^3 and the fluid "
-                  << scene.fluid.density << "; set Scheme = fixed point.";
+                  << scene.fluid.density << "; set Scheme = added mass.";
           prm.add_error("Coupling/Scheme", message.str());
         }
-      if (scene.coupling.scheme != Kind::sequential &&
+      if (scene.coupling.scheme == Kind::forcing_as_load &&
           scene.fluid.scheme != fluid::TimeScheme::ab2)
         prm.add_error("Fluid/Time scheme",
-                      "implicit coupling of body and flow needs one projection "
-                      "a step; set Time scheme = ab2, or Coupling/Scheme = "
-                      "sequential.");
+                      "Coupling/Scheme = forcing as load needs one projection "
+                      "a step; set Time scheme = ab2, or Scheme = added mass.");
+      if (scene.coupling.scheme != Kind::sequential &&
+          scene.fluid.scheme != fluid::TimeScheme::ab2 &&
+          (scene.immersed_boundary.load != immersed_boundary::Load::probes ||
+           scene.immersed_boundary.no_slip_iterations > 0))
+        prm.add_error("Fluid/Time scheme",
+                      "Immersed boundary/Load = forcing and No-slip iterations "
+                      "of a deformable body need one projection a step; set "
+                      "Time scheme = ab2.");
     }
 
     /// What is recorded in the flow and in the body goes into different files.

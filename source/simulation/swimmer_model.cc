@@ -33,7 +33,6 @@ namespace ephyra::simulation
       }
     surface = std::make_unique<coupling::WetSurface>(
       scene.immersed_boundary, shape.patch, wet_sides, *flow);
-    body->mechanics().allow_coupling(surface->coupling_pattern());
     scheme = coupling::make_fluid_structure_scheme(
       scene.coupling, *flow, *body, *surface);
     if (scene.cycles.on())

@@ -86,12 +86,12 @@ class DivergenceTest(runs.SystemTest):
         self.diverge(SHIPPED, *COARSE,
                      parts=("the sequential scheme is unstable at any time step where the added "
                             "mass of the fluid exceeds the mass of the body: use Coupling/Scheme "
-                            "= forcing as load or fixed point.",))
+                            "= forcing as load or added mass.",))
         self.assertLess(self.last_step(), 80)
 
     def test_implicit_coupling_holds(self):
         moved = []
-        for scheme in ("forcing as load", "fixed point"):
+        for scheme in ("forcing as load", "fixed point", "added mass"):
             self.run_program(SHIPPED, "--output", scheme, "--quiet", *COARSE,
                              *runs.sets(Coupling__Scheme=scheme))
             table = self.table(scheme)

@@ -18,11 +18,12 @@ namespace ephyra::coupling
   {
     enum class SchemeKind
     {
-      automatic, ///< forcing as load where the body is not lighter, else fixed
-                 ///< point
+      automatic, ///< forcing as load where the body is not lighter and the
+                 ///< flow has one stage, else added mass
       sequential,
       forcing_as_load,
-      fixed_point
+      fixed_point,
+      added_mass
     };
     enum class LoadKind
     {
@@ -61,9 +62,16 @@ namespace ephyra::coupling
 
   protected:
     /// Nerve net and muscle first, then the explicit part of the flow (u*) and
-    /// the geometry of the markers, frozen at the extrapolated position.
+    /// the geometry of the markers, frozen at the extrapolated position, both
+    /// of the first stage.
     StepStatus
     prepare(double t, double dt);
+    /// After prepare(), as often as asked: the step of the flow, from the same
+    /// start, for a motion of the body that ends like @p end, and the load on
+    /// the body at its end, N. The positions of the markers are extrapolated
+    /// ones in every stage.
+    StepStatus
+    respond(const BodyMotion &end, std::vector<double> &new_load);
     /// Forcing for the present motion of the markers, and projection, for the
     /// stage that was predicted.
     StepStatus
@@ -80,7 +88,14 @@ namespace ephyra::coupling
     double              relaxation = 1; ///< of its last iteration
     double              axial_load = 0; ///< N, of the last accepted step
     std::vector<double> forcing_work;   ///< of the stages of this step, J
+    double              step_start = 0, step = 0; ///< of prepare(), s
+    int                 flow_solves = 0; ///< steps of the flow since prepare()
   };
+
+  /// |a - b| over |a|; 0 where both vanish, infinite where a does alone.
+  double
+  relative_difference(const std::vector<double> &a,
+                      const std::vector<double> &b);
 
   std::unique_ptr<Scheme>
   make_fluid_structure_scheme(const CouplingParameters &parameters,

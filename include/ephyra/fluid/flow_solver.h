@@ -2,6 +2,7 @@
 
 #include "ephyra/base/archive.h"
 #include "ephyra/base/expression.h"
+#include "ephyra/base/memory_archive.h"
 #include "ephyra/base/output.h"
 #include "ephyra/fluid/boundary.h"
 #include "ephyra/fluid/energy_budget.h"
@@ -72,6 +73,13 @@ namespace ephyra::fluid
     /// velocity() = the u* that predict(k) left. Needs keep_predicted(true).
     void
     reset_to_predicted(unsigned int k);
+    /// For steps of several stages that are repeated as a whole: after
+    /// predict(0) keeps its u*, history and pressure, to which
+    /// return_to_first_stage() goes back as often as asked.
+    void
+    keep_first_stage();
+    void
+    return_to_first_stage();
     /// Adds forces to the velocity of stage k, given as what they would do to
     /// a fluid without viscosity: @p spread adds these increments (m/s) to the
     /// owned nodes of a field. Like every other term they pass through the
@@ -260,7 +268,15 @@ namespace ephyra::fluid
 
     VelocityField                  current, predicted, history;
     std::unique_ptr<VelocityField> increment; ///< by add_forces()
-    std::unique_ptr<VelocityField> before;    ///< see stage_start()
+    struct FirstStage
+    {
+      VelocityField    velocity, history;
+      DistributedArray pressure;
+      VelocityField    start;  ///< with an energy budget: see stage_start()
+      MemoryArchive    energy; ///< the budget
+    };
+    std::unique_ptr<FirstStage>    first_stage; ///< by keep_first_stage()
+    std::unique_ptr<VelocityField> before;      ///< see stage_start()
     std::unique_ptr<EnergyBudget>  budget;
     DistributedArray               old_pressure, new_pressure, phi;
 
