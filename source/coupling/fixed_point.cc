@@ -20,6 +20,17 @@ namespace ephyra::coupling
         sum += value * value;
       return std::sqrt(sum);
     }
+
+    /// A explains nearly all of the answer, so that the first iteration of a
+    /// run need not be relaxed.
+    std::unique_ptr<Acceleration>
+    acceleration_of(Acceleration::Parameters parameters,
+                    const bool               with_added_mass)
+    {
+      if (with_added_mass)
+        parameters.initial_relaxation = parameters.largest_relaxation;
+      return make_acceleration(parameters);
+    }
   } // namespace
 
   FixedPoint::FixedPoint(fluid::FlowSolver        &flow,
@@ -29,7 +40,7 @@ namespace ephyra::coupling
                          const bool                with_added_mass)
     : FluidStructureScheme(flow, body, surface)
     , parameters(parameters)
-    , acceleration(make_acceleration(parameters.acceleration))
+    , acceleration(acceleration_of(parameters.acceleration, with_added_mass))
     , older_load(body.n_unknowns(), 0.)
     , older_acceleration(body.n_unknowns(), 0.)
   {

@@ -230,7 +230,7 @@ namespace ephyra::coupling
         change += std::pow(a[i] - b[i], 2);
         size += std::pow(a[i], 2);
       }
-    return change > 0 ? std::sqrt(change / size) : 0.;
+    return change == 0 ? 0. : std::sqrt(change / size);
   }
 
   std::unique_ptr<Scheme>

@@ -70,6 +70,11 @@ class RestartTest(runs.SystemTest):
         self.assertGreater(log.count("are placed anew"), 5)
         self.assertLess(self.table("whole")["largest marker spacing [cells]"].max(), 0.6)
 
+    def test_swim_with_added_mass(self):
+        self.check("swim.prm", *runs.sets(Coupling__Scheme="added mass",
+                                          Fluid__Time_scheme="rk3"),
+                   series=("flow", "body", "dye"))
+
     def test_sinking_sphere(self):
         self.check("sphere.prm", series=("flow", "dye"))
 

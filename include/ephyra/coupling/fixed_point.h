@@ -33,6 +33,12 @@ namespace ephyra::coupling
     advance(double t, double dt) override;
     void
     serialize(Archive &archive) override;
+    /// Null: A = 0.
+    const AddedMass *
+    added_mass_operator() const
+    {
+      return added_mass.get();
+    }
 
   private:
     /// Iterates from the prediction; the flow is prepared.
