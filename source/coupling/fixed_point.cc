@@ -59,10 +59,11 @@ namespace ephyra::coupling
     const auto            &unknowns = added_mass->unknowns();
     const auto             n = static_cast<Eigen::Index>(unknowns.size());
     const auto &constraints  = body.mechanics().body().get_constraints();
-    // Fast enough to stand out, too slow for convection to matter.
-    constexpr double courant_number = 1e-3;
-    const auto      &grid           = flow.grid();
-    const double     velocity =
+    // Fast enough to stand out; with several stages too slow for convection to
+    // matter.
+    const double courant_number = flow.n_stages() > 1 ? 1e-3 : 1.;
+    const auto  &grid           = flow.grid();
+    const double velocity =
       courant_number *
       std::min(grid.r.smallest_width(), grid.y.smallest_width()) / step;
     const double        a      = velocity / (body.newmark_gamma() * step);

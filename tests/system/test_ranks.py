@@ -28,9 +28,6 @@ class RanksTest(runs.SystemTest):
     def test_swim_with_fixed_point(self):
         self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"))
 
-    def test_swim_with_added_mass(self):
-        self.check("swim.prm", *runs.sets(Coupling__Scheme="added mass"), more_ranks=(2,))
-
     def test_swim_with_a_distributed_body(self):
         self.check("swim.prm", *runs.sets(Scene__Distributed_body_from=0))
 
