@@ -147,6 +147,43 @@ namespace ephyra::fluid
   }
 
   void
+  FlowSolver::keep_first_stage()
+  {
+    if (!first_stage)
+      first_stage.reset(new FirstStage{VelocityField(the_grid),
+                                       VelocityField(the_grid),
+                                       DistributedArray(the_grid),
+                                       VelocityField(the_grid),
+                                       {}});
+    first_stage->velocity.copy_from(current);
+    first_stage->history.copy_from(history);
+    first_stage->pressure.copy_from(old_pressure);
+    if (!budget)
+      return;
+    EphyraAssert(!keeps_predicted,
+                 "the prediction takes the place of the start");
+    first_stage->start.copy_from(predicted);
+    first_stage->energy.begin_writing();
+    budget->serialize(first_stage->energy, true);
+  }
+
+  void
+  FlowSolver::return_to_first_stage()
+  {
+    EphyraAssert(first_stage, "the first stage was not kept");
+    current.copy_from(first_stage->velocity);
+    history.copy_from(first_stage->history);
+    old_pressure.copy_from(first_stage->pressure);
+    projected = false;
+    boundary.set_time(stage_time(0));
+    if (!budget)
+      return;
+    predicted.copy_from(first_stage->start);
+    first_stage->energy.begin_reading();
+    budget->serialize(first_stage->energy, true);
+  }
+
+  void
   FlowSolver::write(GridOutput &output) const
   {
     write_flow(current, pressure(), output);

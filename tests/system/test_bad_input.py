@@ -166,7 +166,7 @@ class BadInputTest(runs.SystemTest):
                                Elasticity__Density="900 kg/m^3", Fluid__Time_scheme="rk3"),
                     parts=("2 errors in the parameters:",
                            "the body has 900 kg/m^3 and the fluid 1000; set Scheme = added mass",
-                           "set Time scheme = ab2, or Coupling/Scheme = sequential"))
+                           "set Time scheme = ab2, or Scheme = added mass"))
 
     def test_moving_window(self):
         window = "Fluid/Moving window/"
