@@ -8,12 +8,20 @@
 #include <string>
 #include <thread>
 
+/// Of OpenBLAS; null with another BLAS.
+extern "C" void
+openblas_set_num_threads(int) __attribute__((weak));
+
 namespace ephyra
 {
   MpiSession::MpiSession(int &argc, char **&argv)
   {
     int provided;
     MPI_Init_thread(&argc, &argv, MPI_THREAD_SINGLE, &provided);
+    // All parallelism is MPI: threads of the small dense products would fight
+    // with other ranks and runs for the cores.
+    if (openblas_set_num_threads)
+      openblas_set_num_threads(1);
   }
 
   MpiSession::~MpiSession()
