@@ -18,10 +18,12 @@ namespace ephyra::elasticity
     ElasticityOperator::Parameters::declare(prm);
     Newton::Parameters::declare(prm);
     prm.declare_entry("Spectral radius",
-                      "0.5",
-                      patterns::Double("", 0., 1.),
+                      "",
+                      patterns::List(patterns::Double("", 0., 1.), 0, 1),
                       "rho_infinity of the generalised-alpha method, eq. (63): "
-                      "1 keeps high frequencies, 0 removes them in a step.");
+                      "1 keeps high frequencies, 0 removes them in a step. "
+                      "Empty: 0.5, but 0 for a body lighter than the fluid "
+                      "around it, whose fast modes the coupling excites.");
     prm.declare_entry("Warm start",
                       "true",
                       patterns::Bool(),
@@ -34,8 +36,11 @@ namespace ephyra::elasticity
   {
     body.parse(prm);
     newton.parse(prm);
-    rho_infinity = prm.get_double("Spectral radius");
-    warm_start   = prm.get_bool("Warm start");
+    const std::vector<double> radius = prm.get_double_list("Spectral radius");
+    chosen_rho_infinity              = radius.empty();
+    if (!chosen_rho_infinity)
+      rho_infinity = radius.front();
+    warm_start = prm.get_bool("Warm start");
   }
 
   /// Equation (65) for a^{n+1}.

@@ -154,7 +154,7 @@ namespace ephyra::fluid
                                        VelocityField(the_grid),
                                        DistributedArray(the_grid),
                                        VelocityField(the_grid),
-                                       {}});
+                                       MemoryArchive()});
     first_stage->velocity.copy_from(current);
     first_stage->history.copy_from(history);
     first_stage->pressure.copy_from(old_pressure);

@@ -22,6 +22,10 @@ namespace ephyra::simulation
     auto body = std::make_unique<coupling::DeformableBody>(
       scene.mechanics, shape.patch, distributed ? comm : MPI_COMM_SELF, comm);
     log().line("Body: " + body->mechanics().body().description());
+    if (scene.mechanics.chosen_rho_infinity &&
+        scene.mechanics.rho_infinity == 0.)
+      log().line("Body: lighter than the fluid; Spectral radius 0 damps its "
+                 "fast modes.");
 
     const auto &points = body->mechanics().body().activation_points();
     if (scene.muscle == Scene::Muscle::prescribed)

@@ -287,6 +287,9 @@ namespace ephyra::simulation
       {
         const ParameterHandler::Section section(prm, "Coupling");
         coupling.parse(prm);
+        if (mechanics.chosen_rho_infinity &&
+            mechanics.body.density < fluid.density)
+          mechanics.rho_infinity = 0.;
       }
     if (flow && elasticity)
       {

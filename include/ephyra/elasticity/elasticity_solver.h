@@ -49,6 +49,7 @@ namespace ephyra::elasticity
       ElasticityOperator::Parameters body;
       Newton::Parameters             newton;
       double                         rho_infinity = 0.5;
+      bool chosen_rho_infinity = true; ///< not by the parameter file
       /// An advance that repeats a step starts from its last result.
       bool warm_start = true;
 
