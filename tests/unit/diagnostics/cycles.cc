@@ -1,6 +1,7 @@
 #include "ephyra/diagnostics/cycles.h"
 
 #include "ephyra/base/memory_archive.h"
+#include "record_value.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -9,6 +10,7 @@
 
 using namespace ephyra;
 using diagnostics::Cycles;
+using test::value;
 
 namespace
 {
@@ -32,16 +34,6 @@ namespace
     now.muscle_work  = t + std::sin(phase);
     now.fluid_work   = 0.4 * t;
     return now;
-  }
-
-  double
-  value(const Record &record, const std::string &name)
-  {
-    for (const auto &[column, x] : record.all())
-      if (column == name)
-        return x;
-    BOOST_FAIL("no column " + name);
-    return 0.;
   }
 
   Cycles

@@ -1,5 +1,6 @@
 #include "ephyra/fluid/flow_diagnostics.h"
 #include "ephyra/fluid/flow_solver.h"
+#include "record_value.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -10,6 +11,7 @@ using fluid::FlowParameters;
 using fluid::FlowSolver;
 using fluid::SideKind;
 using fluid::TimeScheme;
+using test::value;
 
 namespace
 {
@@ -26,16 +28,6 @@ namespace
     parameters.grid.y.breakpoints = {0., 0.5, 1.};
     parameters.grid.y.spacings    = {0.12, 0.07, 0.1};
     return parameters;
-  }
-
-  double
-  value(const Record &record, const std::string &name)
-  {
-    for (const auto &[column, x] : record.all())
-      if (column == name)
-        return x;
-    BOOST_FAIL("no column " + name);
-    return 0.;
   }
 
   struct Result
