@@ -49,7 +49,6 @@ namespace ephyra::coupling
     , wet_sides(wet_sides)
     , grid(flow.grid())
     , density(flow.density())
-    , largest_marker_spacing(parameters.largest_spacing)
     , the_markers(std::make_unique<Markers>(curves(patch, wet_sides),
                                             splines::control_vector(patch),
                                             flow.grid(),
@@ -100,8 +99,8 @@ namespace ephyra::coupling
   WetSurface::follow_stretch(const BodyMotion &motion)
   {
     const double spacing = the_markers->largest_spacing(grid);
-    if (spacing <= largest_marker_spacing ||
-        spacing > beyond_repair * largest_marker_spacing)
+    if (spacing <= parameters.largest_spacing ||
+        spacing > beyond_repair * parameters.largest_spacing)
       return;
     the_markers->check_inside(grid);
     const int before = the_markers->size();

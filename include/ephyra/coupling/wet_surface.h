@@ -158,7 +158,6 @@ namespace ephyra::coupling
     const std::vector<splines::Side>                  wet_sides;
     const fluid::StaggeredGrid                       &grid;
     const double                                      density;
-    const double                                      largest_marker_spacing;
     std::unique_ptr<immersed_boundary::Markers>       the_markers;
     std::unique_ptr<immersed_boundary::DirectForcing> forcing;
     std::unique_ptr<immersed_boundary::SurfaceLoads>  surface_loads;
