@@ -45,6 +45,7 @@ namespace ephyra::coupling
     , older_acceleration(body.n_unknowns(), 0.)
   {
     flow.keep_predicted(flow.n_stages() == 1);
+    surface.prepare_fluid_load(flow);
     if (!with_added_mass)
       return;
     added_mass =
@@ -59,11 +60,11 @@ namespace ephyra::coupling
     const auto            &unknowns = added_mass->unknowns();
     const auto             n = static_cast<Eigen::Index>(unknowns.size());
     const auto &constraints  = body.mechanics().body().get_constraints();
-    // Fast enough to stand out; with several stages too slow for convection to
-    // matter.
-    const double courant_number = flow.n_stages() > 1 ? 1e-3 : 1.;
-    const auto  &grid           = flow.grid();
-    const double velocity =
+    // Fast enough to stand out from round-off, too slow for the convection of a
+    // later stage, or inside the body, to matter.
+    constexpr double courant_number = 1e-3;
+    const auto      &grid           = flow.grid();
+    const double     velocity =
       courant_number *
       std::min(grid.r.smallest_width(), grid.y.smallest_width()) / step;
     const double        a      = velocity / (body.newmark_gamma() * step);

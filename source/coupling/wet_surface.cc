@@ -46,6 +46,7 @@ namespace ephyra::coupling
                          const std::vector<splines::Side>    &wet_sides,
                          const fluid::FlowSolver             &flow)
     : parameters(parameters)
+    , patch(patch)
     , wet_sides(wet_sides)
     , grid(flow.grid())
     , density(flow.density())
@@ -60,20 +61,31 @@ namespace ephyra::coupling
     , n_control_points(patch.n_control_points())
     , shapes{splines::control_vector(patch)}
   {
-    EphyraThrowIf(parameters.load == immersed_boundary::Load::forcing &&
-                    flow.n_stages() != 1,
+    assemble_shape();
+    const std::vector<double> rest(2 * n_control_points, 0.);
+    set_geometry({splines::control_vector(patch), rest, rest});
+  }
+
+  void
+  WetSurface::prepare_fluid_load(const fluid::FlowSolver &flow)
+  {
+    using immersed_boundary::Load;
+    const bool several = flow.n_stages() != 1;
+    EphyraThrowIf(parameters.load == Load::forcing && several,
                   InputError,
                   "Immersed boundary/Load = forcing needs a flow with one "
                   "projection a step; set Fluid/Time scheme = ab2 or Load = "
                   "probes.");
-    if (parameters.load == immersed_boundary::Load::forcing)
-      interior = std::make_unique<immersed_boundary::InteriorFluid>(
-        patch, flow.grid(), flow.density(), flow.viscosity(), parameters);
-    assemble_shape();
-    if (interior)
-      assemble_to_surface(patch);
-    const std::vector<double> rest(2 * n_control_points, 0.);
-    set_geometry({splines::control_vector(patch), rest, rest});
+    if (parameters.load == Load::automatic)
+      log().line(std::string("Load of the flow: ") +
+                 (several ? "probes (the flow has several stages)"
+                          : "forcing (the flow has one projection a step)"));
+    if (parameters.load == Load::probes || several)
+      return;
+    interior = std::make_unique<immersed_boundary::InteriorFluid>(
+      patch, flow.grid(), flow.density(), flow.viscosity(), parameters);
+    interior->update(frozen_position);
+    assemble_to_surface();
   }
 
   void
@@ -127,7 +139,7 @@ namespace ephyra::coupling
   }
 
   void
-  WetSurface::assemble_to_surface(const splines::NurbsPatch<2> &patch)
+  WetSurface::assemble_to_surface()
   {
     using splines::Side;
     const auto has = [this](const Side side) {

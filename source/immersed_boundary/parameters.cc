@@ -58,12 +58,13 @@ namespace ephyra::immersed_boundary
                       "about a quarter of a cell.");
     prm.declare_entry(
       "Load",
-      "probes",
-      patterns::Selection("probes|forcing"),
+      "automatic",
+      patterns::Selection("automatic|probes|forcing"),
       "Load on a deformable body in the coupling schemes that iterate: from "
       "the probes, or the opposite of the forcing together with momentum and "
-      "stress of the fluid inside the body. The scheme 'forcing as load' has "
-      "its own.");
+      "stress of the fluid inside the body, which needs a flow with one "
+      "projection a step. Automatic: forcing with Time scheme = ab2, else "
+      "probes. The scheme 'forcing as load' has its own.");
     prm.declare_entry("No-slip iterations",
                       "0",
                       patterns::Integer(0, 200),
@@ -131,7 +132,10 @@ namespace ephyra::immersed_boundary
                                                       : ForcingSolver::sweeps;
     forcing_sweeps    = prm.get_integer("Forcing sweeps");
     inward_shift      = prm.get_double("Inward shift");
-    load = prm.get("Load") == "probes" ? Load::probes : Load::forcing;
+    const std::string kind     = prm.get("Load");
+    load                       = kind == "probes"    ? Load::probes
+                                 : kind == "forcing" ? Load::forcing
+                                                     : Load::automatic;
     no_slip_iterations         = prm.get_integer("No-slip iterations");
     no_slip_tolerance          = prm.get_double("No-slip tolerance");
     probe_length               = prm.get_double("Probe length");

@@ -220,7 +220,7 @@ namespace ephyra::simulation
                       "a step; set Time scheme = ab2, or Scheme = added mass.");
       if (scene.coupling.scheme != Kind::sequential &&
           scene.fluid.scheme != fluid::TimeScheme::ab2 &&
-          (scene.immersed_boundary.load != immersed_boundary::Load::probes ||
+          (scene.immersed_boundary.load == immersed_boundary::Load::forcing ||
            scene.immersed_boundary.no_slip_iterations > 0))
         prm.add_error("Fluid/Time scheme",
                       "Immersed boundary/Load = forcing and No-slip iterations "

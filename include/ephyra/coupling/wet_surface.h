@@ -35,6 +35,11 @@ namespace ephyra::coupling
                const std::vector<splines::Side>    &wet_sides,
                const fluid::FlowSolver             &flow);
 
+    /// Before the first step of a scheme that uses fluid_load(): chooses the
+    /// load, with a line in the log, and builds what it needs. Throws InputError
+    /// for `Immersed boundary/Load = forcing` in a flow with several stages.
+    void
+    prepare_fluid_load(const fluid::FlowSolver &flow);
     /// At the start of a step, with the motion of the body and the flow there;
     /// collective.
     void
@@ -90,8 +95,9 @@ namespace ephyra::coupling
     void
     probe_load(const fluid::FlowSolver &flow, std::vector<double> &load);
     /// The load of the fluid at the control points after force_and_project()
-    /// of a step of length @p dt with one stage, N, from the probes or from
-    /// forcing and interior fluid (`Immersed boundary/Load`); collective.
+    /// of a step of length @p dt, N, from the probes or from forcing and
+    /// interior fluid (`Immersed boundary/Load`); collective. After
+    /// prepare_fluid_load().
     void
     fluid_load(const fluid::FlowSolver &flow,
                double                   dt,
@@ -149,12 +155,13 @@ namespace ephyra::coupling
     /// forces across the thickness are moved to the wet sides theta^2 = 0 and 1
     /// with their sum and, between two sides, their moment.
     void
-    assemble_to_surface(const splines::NurbsPatch<2> &patch);
+    assemble_to_surface();
     /// Velocities of the markers, all radial components first.
     std::vector<double>
     target() const;
 
     const immersed_boundary::Parameters               parameters;
+    const splines::NurbsPatch<2>                      patch;
     const std::vector<splines::Side>                  wet_sides;
     const fluid::StaggeredGrid                       &grid;
     const double                                      density;

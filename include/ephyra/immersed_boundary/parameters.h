@@ -41,7 +41,8 @@ namespace ephyra::immersed_boundary
   /// Load of the fluid on a deformable body in the schemes that iterate.
   enum class Load
   {
-    probes, ///< traction at the probes
+    automatic, ///< forcing where the flow takes one projection a step
+    probes,    ///< traction at the probes
     forcing ///< opposite of the forcing, with the momentum of the fluid inside
   };
 
@@ -64,7 +65,7 @@ namespace ephyra::immersed_boundary
     int    no_slip_iterations = 0;
     double no_slip_tolerance  = 1e-3; ///< m/s
 
-    Load            load          = Load::probes;
+    Load            load          = Load::automatic;
     double          probe_length  = 1.5;
     WallPressure    wall_pressure = WallPressure::acceleration;
     FrictionFormula friction      = FrictionFormula::quadratic;
