@@ -5,8 +5,10 @@
 namespace ephyra::coupling
 {
   AddedMass::AddedMass(const immersed_boundary::Markers &markers,
-                       const int                         n_control_points)
+                       const int                         n_control_points,
+                       const AddedMassKind               kind)
     : n_control_points(n_control_points)
+    , kind(kind)
     , index(n_control_points, -1)
   {
     for (const int point : markers.shape().column)
@@ -47,6 +49,18 @@ namespace ephyra::coupling
   {
     measured        = std::move(columns);
     measured_angles = angles(markers);
+    if (kind == AddedMassKind::full)
+      return;
+    for (Eigen::Index k = 0; k < measured.rows(); k += 2)
+      {
+        Eigen::Matrix2d block = measured.block<2, 2>(k, k);
+        if (kind == AddedMassKind::lumped)
+          for (Eigen::Index l = 0; l < measured.cols(); l += 2)
+            if (l != k)
+              block += measured.block<2, 2>(k, l);
+        measured.middleRows<2>(k).setZero();
+        measured.block<2, 2>(k, k) = block;
+      }
   }
 
   AddedMass::Matrix
@@ -63,8 +77,9 @@ namespace ephyra::coupling
       }
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4 * angle.size() * angle.size());
+    const bool local = kind != AddedMassKind::full;
     for (Eigen::Index k = 0; k < n; ++k)
-      for (Eigen::Index l = 0; l < n; ++l)
+      for (Eigen::Index l = local ? k : 0; l < (local ? k + 1 : n); ++l)
         {
           const Eigen::Matrix2d block =
             turn[k] * measured.block<2, 2>(2 * k, 2 * l) * turn[l].transpose();
@@ -83,7 +98,10 @@ namespace ephyra::coupling
   {
     linear_algebra::SparsityPattern result(2 * n_control_points);
     for (const int i : wet_unknowns)
-      result.columns[i] = wet_unknowns;
+      if (kind == AddedMassKind::full)
+        result.columns[i] = wet_unknowns;
+      else
+        result.columns[i] = {i - i % 2, i - i % 2 + 1};
     return result;
   }
 

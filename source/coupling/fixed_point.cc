@@ -48,8 +48,19 @@ namespace ephyra::coupling
     surface.prepare_fluid_load(flow);
     if (!with_added_mass)
       return;
-    added_mass =
-      std::make_unique<AddedMass>(surface.markers(), body.n_unknowns() / 2);
+    if (parameters.added_mass == AddedMassKind::forcing)
+      {
+        EphyraThrowIf(flow.n_stages() != 1,
+                      InputError,
+                      "Coupling/Added mass = forcing needs a flow with one "
+                      "projection a step; set Fluid/Time scheme = ab2 or Added "
+                      "mass = full.");
+        with_forcing_resistance = true;
+        body.mechanics().allow_coupling(surface.coupling_pattern());
+        return;
+      }
+    added_mass = std::make_unique<AddedMass>(
+      surface.markers(), body.n_unknowns() / 2, parameters.added_mass);
     body.mechanics().allow_coupling(added_mass->pattern());
   }
 
@@ -151,8 +162,11 @@ namespace ephyra::coupling
     for (std::size_t i = 0; i < n; ++i)
       g[i] += trend * (load[i] - older_load[i]);
     if (added_mass)
+      A = added_mass->at(surface.markers());
+    else if (with_forcing_resistance)
+      A = surface.forcing_resistance(dt) * (-dt * body.newmark_gamma());
+    if (A.nonZeros() > 0)
       {
-        A                    = added_mass->at(surface.markers());
         interface_load.added = &A;
         Eigen::VectorXd a(n);
         const auto     &old = body.mechanics().old_acceleration();

@@ -25,6 +25,14 @@ namespace ephyra::coupling
       "measured added mass of the fluid in the matrix of the body, for any "
       "density and time scheme. Fixed point: the same without. Automatic: "
       "forcing as load where it is possible, else added mass.");
+    prm.declare_entry(
+      "Added mass",
+      "full",
+      patterns::Selection("full|lumped|diagonal|forcing"),
+      "Added mass in the matrix of the body: the whole measured one; a local "
+      "impedance at each control point, the sum of its row or its diagonal "
+      "block; or the impedance of the forcing alone, which is known without "
+      "measuring and needs Time scheme = ab2.");
     prm.declare_entry("Load of sequential scheme",
                       "probes",
                       patterns::Selection("probes|forcing"),
@@ -61,6 +69,11 @@ namespace ephyra::coupling
                              : name == "fixed point" ? SchemeKind::fixed_point
                              : name == "added mass"  ? SchemeKind::added_mass
                                                      : SchemeKind::automatic;
+    const std::string mass = prm.get("Added mass");
+    added_mass             = mass == "full"       ? AddedMassKind::full
+                             : mass == "lumped"   ? AddedMassKind::lumped
+                             : mass == "diagonal" ? AddedMassKind::diagonal
+                                                  : AddedMassKind::forcing;
     load = prm.get("Load of sequential scheme") == "probes" ? LoadKind::probes
                                                             : LoadKind::forcing;
     tolerance          = prm.get_double("Tolerance");

@@ -218,6 +218,12 @@ namespace ephyra::simulation
         prm.add_error("Fluid/Time scheme",
                       "Coupling/Scheme = forcing as load needs one projection "
                       "a step; set Time scheme = ab2, or Scheme = added mass.");
+      if (scene.coupling.scheme == Kind::added_mass &&
+          scene.coupling.added_mass == coupling::AddedMassKind::forcing &&
+          scene.fluid.scheme != fluid::TimeScheme::ab2)
+        prm.add_error("Fluid/Time scheme",
+                      "Coupling/Added mass = forcing needs one projection a "
+                      "step; set Time scheme = ab2.");
       if (scene.coupling.scheme != Kind::sequential &&
           scene.fluid.scheme != fluid::TimeScheme::ab2 &&
           (scene.immersed_boundary.load == immersed_boundary::Load::forcing ||

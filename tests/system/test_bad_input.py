@@ -167,6 +167,10 @@ class BadInputTest(runs.SystemTest):
                     parts=("2 errors in the parameters:",
                            "the body has 900 kg/m^3 and the fluid 1000; set Scheme = added mass",
                            "set Time scheme = ab2, or Scheme = added mass"))
+        self.refuse(runs.SCENES / "swim.prm",
+                    *runs.sets(Coupling__Scheme="added mass", Coupling__Added_mass="forcing",
+                               Fluid__Time_scheme="rk3"),
+                    parts=("Coupling/Added mass = forcing needs one projection a step",))
 
     def test_moving_window(self):
         window = "Fluid/Moving window/"

@@ -11,19 +11,31 @@
 
 namespace ephyra::coupling
 {
+  /// What stands for the answer of the flow in the matrix of the body.
+  enum class AddedMassKind
+  {
+    full,
+    lumped,   ///< sum over l of A_kl
+    diagonal, ///< A_kk
+    forcing   ///< not measured: WetSurface::forcing_resistance()
+  };
+
   /// The measured added-mass operator A of a wetted surface, kg: the load of
   /// the flow on the control points that answers their accelerations, load =
   /// g + A a. It is dense among the wet unknowns. Between measurements it is
   /// carried along with the body: the 2 x 2 block of two control points turns
   /// with the normals of the surface at them,
   ///   A_kl = R_k A_kl^0 R_l^T.
+  /// Lumped or diagonal, it is a local impedance of the fluid.
   class AddedMass
   {
   public:
     using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
     /// The wet control points are those that the markers depend on.
-    AddedMass(const immersed_boundary::Markers &markers, int n_control_points);
+    AddedMass(const immersed_boundary::Markers &markers,
+              int                               n_control_points,
+              AddedMassKind                     kind = AddedMassKind::full);
 
     /// Unknowns 2 * point + component that A acts on.
     const std::vector<int> &
@@ -59,6 +71,7 @@ namespace ephyra::coupling
     angles(const immersed_boundary::Markers &markers) const;
 
     const int           n_control_points;
+    const AddedMassKind kind;
     std::vector<int>    wet_points, wet_unknowns;
     std::vector<int>    index;           ///< of control points in wet_points
     Eigen::MatrixXd     measured;        ///< A^0, empty: unknown

@@ -14,7 +14,9 @@ namespace ephyra::coupling
   /// the flow from one iteration to the next would not converge; an iteration
   /// that does not converge is a failed step.
   ///
-  /// `fixed point`: A = 0. `added mass`: A is measured by unit accelerations of
+  /// `fixed point`: A = 0. `added mass`: A is that of the forcing alone, as in
+  /// ForcingAsLoad, which leaves pressure and the fluid inside to the iteration
+  /// (`Added mass = forcing`); or it is measured by unit accelerations of
   /// the wet unknowns, which is nearly all of how the load depends on the
   /// motion, and carried along with the body (AddedMass). It is measured again
   /// where the steps since the last time have taken as many evaluations beyond
@@ -33,7 +35,7 @@ namespace ephyra::coupling
     advance(double t, double dt) override;
     void
     serialize(Archive &archive) override;
-    /// Null: A = 0.
+    /// Null: A is not measured.
     const AddedMass *
     added_mass_operator() const
     {
@@ -49,7 +51,8 @@ namespace ephyra::coupling
 
     const CouplingParameters      parameters;
     std::unique_ptr<Acceleration> acceleration;
-    std::unique_ptr<AddedMass>    added_mass; ///< null: A = 0
+    std::unique_ptr<AddedMass>    added_mass; ///< null: not measured
+    bool                          with_forcing_resistance = false;
     /// At level n - 1, for prediction.
     std::vector<double> older_load, older_acceleration;
     double              older_step = 0; ///< from n - 1 to n, s

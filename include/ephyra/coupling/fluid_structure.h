@@ -2,6 +2,7 @@
 
 #include "ephyra/base/parameter_handler.h"
 #include "ephyra/coupling/acceleration.h"
+#include "ephyra/coupling/added_mass.h"
 #include "ephyra/coupling/deformable_body.h"
 #include "ephyra/coupling/scheme.h"
 #include "ephyra/coupling/wet_surface.h"
@@ -31,11 +32,12 @@ namespace ephyra::coupling
       forcing
     };
 
-    SchemeKind scheme    = SchemeKind::automatic;
-    LoadKind   load      = LoadKind::probes; ///< sequential scheme
-    double     tolerance = 1e-3;       ///< fixed point: relative change of load
-    double     absolute_tolerance = 0; ///< N
-    int        maximum_iterations = 50;
+    SchemeKind    scheme     = SchemeKind::automatic;
+    LoadKind      load       = LoadKind::probes; ///< sequential scheme
+    AddedMassKind added_mass = AddedMassKind::full;
+    double        tolerance  = 1e-3; ///< fixed point: relative change of load
+    double        absolute_tolerance = 0; ///< N
+    int           maximum_iterations = 50;
     Acceleration::Parameters acceleration;
 
     static void

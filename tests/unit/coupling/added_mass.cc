@@ -27,7 +27,8 @@ namespace
       const Kind                    kind,
       const fluid::TimeScheme       time_scheme,
       const double                  tolerance,
-      const immersed_boundary::Load load = immersed_boundary::Load::automatic)
+      const immersed_boundary::Load load = immersed_boundary::Load::automatic,
+      const coupling::AddedMassKind added_mass = coupling::AddedMassKind::full)
     {
       geometry::Discretization mesh;
       mesh.degree                     = {{2, 2}};
@@ -60,8 +61,9 @@ namespace
         std::vector<splines::Side>{splines::Side::theta2_1},
         *flow);
       coupling::CouplingParameters coupling;
-      coupling.scheme    = kind;
-      coupling.tolerance = tolerance;
+      coupling.scheme     = kind;
+      coupling.tolerance  = tolerance;
+      coupling.added_mass = added_mass;
       scheme =
         coupling::make_fluid_structure_scheme(coupling, *flow, *body, *surface);
     }
@@ -147,6 +149,74 @@ BOOST_AUTO_TEST_CASE(turns_with_the_body)
   BOOST_TEST((after - turn * before * turn.transpose()).norm() <
              1e-12 * before.norm());
   BOOST_TEST((after - before).norm() > 0.1 * before.norm());
+}
+
+BOOST_AUTO_TEST_CASE(local_parts)
+{
+  Case      c(Kind::fixed_point, fluid::TimeScheme::ab2, 1e-3);
+  const int n_points                        = c.body->n_unknowns() / 2;
+  const immersed_boundary::Markers &markers = c.surface->markers();
+  const auto                        matrix  = [&](const auto kind) {
+    coupling::AddedMass added(markers, n_points, kind);
+    const auto          m = static_cast<Eigen::Index>(added.unknowns().size());
+    Eigen::MatrixXd     columns(m, m);
+    for (Eigen::Index k = 0; k < m; ++k)
+      for (Eigen::Index l = 0; l < m; ++l)
+        columns(k, l) = std::sin(1. + 3. * k + 7. * l);
+    added.set(columns, markers);
+    return Eigen::MatrixXd(added.at(markers));
+  };
+  using coupling::AddedMassKind;
+  const Eigen::MatrixXd full     = matrix(AddedMassKind::full);
+  const Eigen::MatrixXd lumped   = matrix(AddedMassKind::lumped);
+  const Eigen::MatrixXd diagonal = matrix(AddedMassKind::diagonal);
+  Eigen::VectorXd       axial    = Eigen::VectorXd::Zero(full.rows());
+  for (Eigen::Index i = 1; i < full.rows(); i += 2)
+    axial[i] = 1.;
+  BOOST_TEST((full * axial).norm() > 0.1);
+  BOOST_TEST((lumped * axial - full * axial).norm() < 1e-12);
+  for (Eigen::Index i = 0; i < full.rows(); ++i)
+    for (Eigen::Index j = 0; j < full.rows(); ++j)
+      {
+        const bool same = i / 2 == j / 2;
+        BOOST_TEST(diagonal(i, j) == (same ? full(i, j) : 0.));
+        BOOST_TEST((same || lumped(i, j) == 0.));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(the_matrix_does_not_change_the_motion)
+{
+  using coupling::AddedMassKind;
+  std::vector<std::vector<double>> u;
+  std::vector<int>                 evaluations;
+  for (const auto kind : {AddedMassKind::full,
+                          AddedMassKind::lumped,
+                          AddedMassKind::diagonal,
+                          AddedMassKind::forcing})
+    {
+      Case c(Kind::added_mass,
+             fluid::TimeScheme::ab2,
+             1e-7,
+             immersed_boundary::Load::automatic,
+             kind);
+      int  sum = 0;
+      for (int k = 0; k < 12; ++k)
+        sum += c.step().iterations;
+      BOOST_TEST_MESSAGE("evaluations " << sum);
+      evaluations.push_back(sum);
+      u.push_back(c.body->mechanics().displacement());
+      double difference = 0, size = 0;
+      for (std::size_t i = 0; i < u[0].size(); ++i)
+        {
+          difference =
+            std::max(difference, std::abs(u.back()[i] - u.front()[i]));
+          size = std::max(size, std::abs(u.front()[i]));
+        }
+      BOOST_TEST(difference < 1e-5 * size);
+      BOOST_TEST(size > 1e-3);
+    }
+  BOOST_TEST(evaluations[0] < evaluations[1]);
+  BOOST_TEST(evaluations[0] < evaluations[2]);
 }
 
 BOOST_AUTO_TEST_CASE(explains_the_load_of_the_step_where_it_was_measured)
