@@ -16,7 +16,8 @@ namespace ephyra::immersed_boundary
     using Vector = Eigen::Map<const Eigen::VectorXd>;
 
     constexpr double shift_of_exact_solver = 1e-8;
-
+    /// Row sums of M below it are those of markers without a share in nodes.
+    constexpr double smallest_sum = 0.1;
 
     /// r dr and dy of the control volume of a velocity; 0 where it is given.
     double
@@ -253,6 +254,11 @@ namespace ephyra::immersed_boundary
                                             column.data(),
                                             value.data());
 
+    relaxation[component] = Eigen::VectorXd::Ones(n);
+    if (parameters.forcing_solver == ForcingSolver::scaled_sweeps)
+      for (int l = 0; l < n; ++l)
+        if (const double sum = M[component].row(l).sum(); sum > smallest_sum)
+          relaxation[component][l] = 1. / sum;
     if (parameters.forcing_solver != ForcingSolver::exact)
       return;
     // C^1/2 Phi Phi^T C^1/2 = C^1/2 M C^-1/2.
@@ -331,12 +337,9 @@ namespace ephyra::immersed_boundary
             force = inverse[c]->solve(r);
             continue;
           }
-        force = r;
+        force = relaxation[c].cwiseProduct(r);
         for (int sweep = 1; sweep < parameters.forcing_sweeps; ++sweep)
-          {
-            r -= (M[c] * r).eval();
-            force += r;
-          }
+          force += relaxation[c].cwiseProduct(r - M[c] * force);
       }
   }
 
@@ -421,11 +424,16 @@ namespace ephyra::immersed_boundary
       }
     else
       {
-        Matrix identity(n, n);
-        identity.setIdentity();
-        result = identity; // Horner: T <- I + (I - M) T
+        Matrix diagonal(n, n), scaled = M[component];
+        diagonal.setIdentity();
+        for (int l = 0; l < n; ++l)
+          {
+            diagonal.coeffRef(l, l) = relaxation[component][l];
+            scaled.row(l) *= relaxation[component][l];
+          }
+        result = diagonal; // Horner: T <- D + (I - D M) T
         for (int sweep = 1; sweep < parameters.forcing_sweeps; ++sweep)
-          result = identity + result - Matrix(M[component] * result);
+          result = diagonal + result - Matrix(scaled * result);
       }
     T_valid[component] = true;
     return result;

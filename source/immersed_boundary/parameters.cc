@@ -41,8 +41,10 @@ namespace ephyra::immersed_boundary
                       "the support.");
     prm.declare_entry("Forcing",
                       "sweeps",
-                      patterns::Selection("sweeps|exact"),
-                      "Marker forces by a number of forcing sweeps, or so that "
+                      patterns::Selection("sweeps|scaled sweeps|exact"),
+                      "Marker forces by a number of forcing sweeps; by sweeps "
+                      "scaled so that they leave no slip where the force "
+                      "changes little from marker to marker; or so that "
                       "the velocity before the projection meets the no-slip "
                       "condition at every marker.");
     prm.declare_entry("Forcing sweeps",
@@ -126,12 +128,14 @@ namespace ephyra::immersed_boundary
     weight = chosen == "cubic spline" || (chosen == "automatic" && rigid_bodies)
                ? WeightFunction::cubic_spline
                : WeightFunction::exponential;
-    half_width        = prm.get_double("Half width");
-    exponential_width = prm.get_double("Exponential width");
-    forcing_solver    = prm.get("Forcing") == "exact" ? ForcingSolver::exact
-                                                      : ForcingSolver::sweeps;
-    forcing_sweeps    = prm.get_integer("Forcing sweeps");
-    inward_shift      = prm.get_double("Inward shift");
+    half_width                 = prm.get_double("Half width");
+    exponential_width          = prm.get_double("Exponential width");
+    const std::string solver   = prm.get("Forcing");
+    forcing_solver             = solver == "exact" ? ForcingSolver::exact
+                                 : solver == "scaled sweeps" ? ForcingSolver::scaled_sweeps
+                                                             : ForcingSolver::sweeps;
+    forcing_sweeps             = prm.get_integer("Forcing sweeps");
+    inward_shift               = prm.get_double("Inward shift");
     const std::string kind     = prm.get("Load");
     load                       = kind == "probes"    ? Load::probes
                                  : kind == "forcing" ? Load::forcing

@@ -89,6 +89,15 @@ class DivergenceTest(runs.SystemTest):
                             "= forcing as load or added mass.",))
         self.assertLess(self.last_step(), 80)
 
+    def test_sequential_coupling_of_a_light_and_thin_tube(self):
+        """Added mass finishes it: the scene case tube_wave_light_and_thin."""
+        self.diverge(runs.ROOT / "parameters/verification/tube_wave.prm", *COARSE,
+                     *runs.sets(Coupling__Scheme="sequential", Body__Outer_radius="1.05 m",
+                                Elasticity__Density="0.1 kg/m^3"),
+                     parts=("the sequential scheme is unstable at any time step where the added "
+                            "mass of the fluid exceeds the mass of the body",))
+        self.assertLess(self.last_step(), 20)
+
     def test_implicit_coupling_holds(self):
         moved = []
         for scheme in ("forcing as load", "fixed point", "added mass"):

@@ -31,7 +31,11 @@ namespace ephyra::immersed_boundary
   /// take no part in S.
   ///
   /// `sweeps`: r = V - J u*, then n times F += r, r -= M r; that is
-  /// T = sum_{k<n} (I - M)^k, done among the markers. `exact`: T = M^-1, by the
+  /// T = sum_{k<n} (I - M)^k, done among the markers. In a force that changes
+  /// little along the surface M acts like a factor m < 1, the sum of its row, and
+  /// (1 - m)^n is left. Held against a steady pressure difference across the
+  /// wall such a force lets fluid through. `scaled sweeps`: T = sum_{k<n}
+  /// (I - D M)^k D, D = diag(1 / m), which leaves nothing. `exact`: T = M^-1, by the
   /// symmetric form of M (c_l^1/2 Phi Phi^T c_l^1/2), with a shift of 1e-8 that
   /// lets it be factored where markers are denser than nodes can tell apart.
   ///
@@ -149,6 +153,7 @@ namespace ephyra::immersed_boundary
     std::vector<double>                rate;  ///< 1 / Delta_r^2 + 1 / Delta_y^2
     std::array<std::vector<double>, 2> scale; ///< c_l
     std::array<Matrix, 2>              M;
+    std::array<Eigen::VectorXd, 2>     relaxation; ///< D
     mutable std::array<Matrix, 2>      T;
     mutable std::array<bool, 2>        T_valid{{false, false}};
     std::array<std::unique_ptr<Inverse>, 2> inverse;

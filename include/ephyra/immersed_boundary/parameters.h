@@ -18,8 +18,9 @@ namespace ephyra::immersed_boundary
   /// How the marker forces follow from the missing velocities.
   enum class ForcingSolver
   {
-    sweeps, ///< a number of forcing sweeps
-    exact   ///< no-slip at the markers before the projection
+    sweeps,        ///< a number of forcing sweeps
+    scaled_sweeps, ///< the same, exact for forces that are equal all along
+    exact          ///< no-slip at the markers before the projection
   };
 
   /// Friction at the wall from the velocity off the wall.

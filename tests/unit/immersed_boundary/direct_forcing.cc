@@ -127,6 +127,47 @@ BOOST_AUTO_TEST_CASE(scale_is_the_spacing_in_cells)
     }
 }
 
+BOOST_AUTO_TEST_CASE(scaled_sweeps_leave_nothing_of_an_even_force)
+{
+  const fluid::StaggeredGrid grid = make_grid(0.3, MPI_COMM_SELF);
+  const Outline              o    = test::torus(0.6, 0.3, "torus");
+  const Markers              markers(o.curves, control_vector(o, 0.021), grid);
+  const int                  n = markers.size();
+  for (const ForcingSolver solver :
+       {ForcingSolver::sweeps, ForcingSolver::scaled_sweeps})
+    {
+      Parameters parameters;
+      parameters.forcing_solver = solver;
+      DirectForcing forcing(grid, parameters);
+      forcing.update(markers);
+      const Eigen::VectorXd one = Eigen::VectorXd::Ones(n);
+      for (int c = 0; c < 2; ++c)
+        {
+          // The residual of a force of one all along.
+          const Eigen::VectorXd residual = forcing.marker_matrix(c) * one;
+          std::vector<double>   both(2 * n, 0.), F;
+          std::copy(residual.data(), residual.data() + n, both.begin() + c * n);
+          forcing.solve(both, F);
+          double left = 0;
+          for (int l = 0; l < n; ++l)
+            left = std::max(left, std::abs(F[c * n + l] - 1.));
+          if (solver == ForcingSolver::sweeps)
+            BOOST_TEST(left > 0.02);
+          else
+            BOOST_TEST(left < 1e-12);
+          const Eigen::VectorXd same = forcing.transfer(c) * residual;
+          for (int l = 0; l < n; ++l)
+            BOOST_TEST(std::abs(same[l] - F[c * n + l]) < 1e-12);
+          // What is left of any other force does not grow.
+          Eigen::MatrixXd DM = forcing.marker_matrix(c);
+          for (int l = 0; l < n; ++l)
+            DM.row(l) /= residual[l];
+          for (const auto &lambda : DM.eigenvalues())
+            BOOST_TEST(std::abs(1. - lambda) < 1. + 1e-9);
+        }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(spectrum_lies_between_zero_and_one)
 {
   for (const int n_y : {48, 480})

@@ -351,3 +351,38 @@ def rod_in_annulus(run):
                                               table["axial velocity [m/s]"])
                        if t >= table["time [s]"][-1] - 1]
         yield relative(f"amplitude of v_y {where}", max(last_period), reference, 0.015, FORMULA)
+
+
+def damped_frequency(t, u, start, lag):
+    """omega of u ~ exp(-i omega t): the best a, b of u(t + lag) = a u(t) - b u(t - lag)."""
+    shift = round(lag / (t[1] - t[0]))
+    lag = shift * (t[1] - t[0])
+    first = next(k for k, time in enumerate(t) if time >= start)
+    rows = [(u[k], u[k - shift], u[k + shift]) for k in range(first + shift, len(t) - shift)]
+    xx, xy, yy, xz, yz = (sum(row[i] * row[j] for row in rows)
+                          for i, j in ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2)))
+    determinant = xx * yy - xy * xy
+    a, minus_b = (xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant
+    return (math.acos(a / (2 * math.sqrt(-minus_b))) / lag, math.log(-minus_b) / (2 * lag))
+
+
+def tube_wave(run, outer_radius, density, damping):
+    # The first half period holds the transient of the Stokes layers.
+    exact = next(row for row in read_reference("fsi/tube_wave.csv")
+                 if row[:2] == [outer_radius, density])
+    table = run.table("probes/antinode")
+    omega = damped_frequency(table["time [s]"], table["radial displacement [m]"], 11, 3)
+    yield relative("speed of the wave, omega L / (2 pi), m/s", omega[0] * 20 / (2 * math.pi),
+                   exact[2] * 20 / (2 * math.pi), 0.05, FORMULA)
+    if damping:
+        yield relative("decay of the wave, 1/s", -omega[1], -exact[3], damping, FORMULA)
+
+
+@case(QUICK, "tube_wave")
+def tube_wave_as_heavy_as_the_fluid(run):
+    yield from tube_wave(run, 1.1, 1.0, 0.1)
+
+
+@case(QUICK, "tube_wave", "Elasticity/Density = 0.1 kg/m^3", "Body/Outer radius = 1.05 m")
+def tube_wave_light_and_thin(run):
+    yield from tube_wave(run, 1.05, 0.1, None)
