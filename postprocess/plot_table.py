@@ -4,7 +4,12 @@ each series. Series named "GROUP: LABEL" share a panel for each group. Full mark
 are values too large, open ones values too small.
 
 With --by any columns over any other, both linear: one line for each value of the
-column --by names, one panel for each column of --y."""
+column --by names, one panel for each column of --y.
+
+With --map which cases came to their end, a panel for each series: a full mark where the
+exit code is 0, a cross where not, over the columns of --x and --y, both logarithmic. The
+values of --by lie side by side in the order of the table. --line "NAME = FORMULA in x"
+adds a curve."""
 
 import argparse
 import csv
@@ -111,6 +116,69 @@ def plot_families(rows, x, columns, by, path):
     print(f"plot: {path}")
 
 
+def outcomes(rows, x, y, by):
+    """{series: [(x, y, place of the value of by, finished)]}; the values of by."""
+    values = list(dict.fromkeys(row[by] for row in rows))
+    maps = {}
+    for row in rows:
+        maps.setdefault(row.get("series", ""), []).append(
+            (number(row[x]), number(row[y]), values.index(row[by]),
+             number(row["exit code"]) == 0))
+    return maps, values
+
+
+def bound(text, x):
+    """Name and values of "NAME = FORMULA in x"."""
+    name, equals, formula = text.partition("=")
+    if not equals:
+        raise Wrong(f"--line '{text}' is not of the form NAME = FORMULA")
+    try:
+        return name.strip(), [float(eval(formula, {"__builtins__": {}}, {"x": at}))
+                              for at in x]
+    except Exception as error:  # whatever a formula can do wrong
+        raise Wrong(f"--line '{text}': {error}") from None
+
+
+def plot_map(rows, x, y, by, lines, path):
+    maps, values = outcomes(rows, x, y, by)
+    n_columns = 2 if len(maps) in (2, 4) else min(3, len(maps))
+    n_rows = math.ceil(len(maps) / n_columns)
+    figure, axes = plt.subplots(n_rows, n_columns, squeeze=False, sharex=True, sharey=True,
+                                layout="constrained",
+                                figsize=(0.5 + 4.3 * n_columns, 0.8 + 3 * n_rows))
+    places = sorted({point[0] for points in maps.values() for point in points})
+    heights = sorted({point[1] for points in maps.values() for point in points})
+    ends = places[0] / 1.6, places[-1] * 1.6
+    for axis, (name, points) in zip(axes.flat, maps.items()):
+        for at, value, k, finished in points:
+            shift = 1.22 ** (k - (len(values) - 1) / 2)
+            axis.plot(at * shift, value, "o" if finished else "x", color=f"C{k % 10}",
+                      markersize=7, markeredgewidth=2)
+        for text in lines:
+            label, heights_of_line = bound(text, ends)
+            axis.plot(ends, heights_of_line, "k--", linewidth=1, label=label)
+        axis.set_title(name, fontsize="medium")
+        axis.set_xscale("log")
+        axis.set_yscale("log")
+        axis.set_ylim(heights[0] / 1.5, heights[-1] * 1.5)
+        axis.set_yticks(heights, [f"{value:g}" for value in heights])
+        axis.minorticks_off()
+        axis.set_xlabel(short(x))
+        axis.set_ylabel(short(y))
+    for axis in axes.flat[len(maps):]:
+        axis.set_visible(False)
+    marks = [plt.Line2D([], [], color=f"C{k % 10}", marker="o", linestyle="none",
+                        label=f"{short(by)} = {value}") for k, value in enumerate(values)]
+    marks.append(plt.Line2D([], [], color="0.4", marker="x", linestyle="none",
+                            markeredgewidth=2, label="ends early"))
+    marks += axes.flat[0].get_legend_handles_labels()[0]
+    figure.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, 0), ncol=5,
+                  fontsize="small", frameon=False)
+    figure.savefig(path, dpi=100, bbox_inches="tight")
+    plt.close(figure)
+    print(f"plot: {path}")
+
+
 def draw(axis, lines):
     for k, (label, points) in enumerate(lines.items()):
         if not points:
@@ -170,6 +238,9 @@ def main(arguments):
                         help="columns of the error, named in full or in part; repeatable "
                         "(default: all errors against references)")
     parser.add_argument("--by", metavar="COLUMN", help="one line for each value of this column")
+    parser.add_argument("--map", action="store_true", help="which cases came to their end")
+    parser.add_argument("--line", action="append", default=[], metavar="TEXT",
+                        help="a curve in the map, NAME = FORMULA in x; repeatable")
     parser.add_argument("--output", metavar="FILE",
                         help="the picture (default: beside the table, as PNG)")
     options = parser.parse_args(arguments)
@@ -179,7 +250,12 @@ def main(arguments):
         x = find_columns(rows, [options.x], "--x")[0]
         columns = find_columns(rows, options.y or ["error of"], "--y")
         path = options.output or table.with_suffix(".png")
-        if options.by:
+        if options.map:
+            if len(columns) > 1 or not options.by:
+                raise Wrong("a map has one column for --y and one for --by")
+            plot_map(rows, x, columns[0], find_columns(rows, [options.by], "--by")[0],
+                     options.line, path)
+        elif options.by:
             plot_families(rows, x, columns, find_columns(rows, [options.by], "--by")[0], path)
         else:
             plot(rows, x, columns, path)

@@ -197,34 +197,16 @@ namespace ephyra
     if (!std::filesystem::exists(file_name))
       return TableWriter(file_name, columns);
 
-    // A new file takes the place of the old one only when it is complete.
-    const std::string new_file = file_name + ".new";
-    {
-      std::ifstream in(file_name);
-      std::ofstream kept(new_file, std::ios::trunc);
-      std::string   line;
-      std::getline(in, line);
-      EphyraThrowIf(line != header(columns),
-                    InputError,
-                    "The file \""
-                      << file_name
-                      << "\" cannot be continued, it has other columns than "
-                         "this run writes; resume with the same settings, or "
-                         "move the file away.");
-      kept << line << '\n';
-      std::vector<double> values;
-      const double        limit = last + 1e-9 * std::abs(last);
-      while (std::getline(in, line))
-        if (!in.eof() && parse_row(split(line), values) == columns.size() &&
-            values.size() == columns.size() && values[0] <= limit)
-          kept << line << '\n';
-      if (!kept.flush())
-        not_writable(new_file);
-    }
-    std::error_code failure;
-    std::filesystem::rename(new_file, file_name, failure);
-    if (failure)
-      not_writable(file_name);
+    std::string line;
+    std::getline(std::ifstream(file_name), line);
+    EphyraThrowIf(line != header(columns),
+                  InputError,
+                  "The file \""
+                    << file_name
+                    << "\" cannot be continued, it has other columns than "
+                       "this run writes; resume with the same settings, or "
+                       "move the file away.");
+    cut(file_name, last);
 
     TableWriter writer;
     writer.file_name = file_name;
@@ -233,6 +215,33 @@ namespace ephyra
     if (!writer.out)
       not_writable(file_name);
     return writer;
+  }
+
+  void
+  TableWriter::cut(const std::string &file_name, const double last)
+  {
+    // A new file takes the place of the old one only when it is complete.
+    const std::string new_file = file_name + ".new";
+    {
+      std::ifstream in(file_name);
+      std::ofstream kept(new_file, std::ios::trunc);
+      std::string   line;
+      std::getline(in, line);
+      kept << line << '\n';
+      const std::size_t   n_columns = split(line).size();
+      std::vector<double> values;
+      const double        limit = last + 1e-9 * std::abs(last);
+      while (std::getline(in, line))
+        if (!in.eof() && parse_row(split(line), values) == n_columns &&
+            values.size() == n_columns && values[0] <= limit)
+          kept << line << '\n';
+      if (!kept.flush())
+        not_writable(new_file);
+    }
+    std::error_code failure;
+    std::filesystem::rename(new_file, file_name, failure);
+    if (failure)
+      not_writable(file_name);
   }
 
   void

@@ -40,7 +40,7 @@ namespace ephyra::coupling
                       "along the normal, or the forcing and the momentum of "
                       "the fluid inside the body.");
     prm.declare_entry("Tolerance",
-                      "1e-3",
+                      "1e-2",
                       patterns::Double("", 1e-12, 0.5),
                       "Fixed point, added mass: change of the load relative to "
                       "the load at "

@@ -1,6 +1,10 @@
 #include "ephyra/simulation/run_output.h"
 
+#include "ephyra/base/table.h"
+#include "ephyra/io/collective.h"
+
 #include <algorithm>
+#include <filesystem>
 
 namespace ephyra::simulation
 {
@@ -23,6 +27,25 @@ namespace ephyra::simulation
       Interval                        interval;
       interval.parse(prm);
       return interval;
+    }
+
+    /// The tables over time in the folder of a run.
+    std::vector<std::string>
+    tables_of_run(const std::string &folder)
+    {
+      namespace fs = std::filesystem;
+      std::vector<std::string> result;
+      for (const char *name : {"statistics", "iterations", "cycles"})
+        if (const fs::path file =
+              fs::path(folder) / (name + std::string(".csv"));
+            fs::exists(file))
+          result.push_back(file.string());
+      for (const char *name : {"profiles", "probes"})
+        if (const fs::path sub = fs::path(folder) / name; fs::is_directory(sub))
+          for (const auto &entry : fs::directory_iterator(sub))
+            if (entry.path().extension() == ".csv")
+              result.push_back(entry.path().string());
+      return result;
     }
   } // namespace
 
@@ -63,6 +86,11 @@ namespace ephyra::simulation
   {
     resumed_at = time;
     name_columns(statistics);
+    // Some tables get their next row late, or never.
+    io::on_first_rank(comm, [&]() {
+      for (const std::string &file : tables_of_run(the_folder))
+        TableWriter::cut(file, time);
+    });
   }
 
   void

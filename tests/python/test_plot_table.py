@@ -63,6 +63,25 @@ class PlotTable(unittest.TestCase):
         self.assertEqual(code, 1)
         self.assertIn("no column for --by holds 'nonsense'", screen)
 
+    def test_map(self):
+        self.table.write_text("series,A/x,A/y,A/dt,exit code\n"
+                              "one,1,2,0.1,0\none,1,2,0.5,2\ntwo,10,2,0.1,2\n")
+        rows = plot_table.read_table(self.table)
+        self.assertEqual(plot_table.outcomes(rows, "A/x", "A/y", "A/dt"),
+                         ({"one": [(1, 2, 0, True), (1, 2, 1, False)],
+                           "two": [(10, 2, 0, False)]}, ["0.1", "0.5"]))
+        self.assertEqual(plot_table.bound("a = 2/x", [1, 4]), ("a", [2, 0.5]))
+        options = ("--map", "--x", "A/x", "--y", "A/y")
+        code, screen = self.plot(*options, "--by", "A/dt", "--line", "bound = 3/x")
+        self.assertEqual(code, 0, screen)
+        self.assertEqual(self.table.with_suffix(".png").read_bytes()[:4], b"\x89PNG")
+        for wrong, message in (((), "one for --by"),
+                               (("--by", "A/dt", "--line", "bound"), "is not of the form"),
+                               (("--by", "A/dt", "--line", "b = y"), "name 'y' is not defined")):
+            code, screen = self.plot(*options, *wrong)
+            self.assertEqual(code, 1)
+            self.assertIn(message, screen)
+
     def test_lines_hold_the_points(self):
         figure, axis = plot_table.plt.subplots()
         self.addCleanup(plot_table.plt.close, figure)

@@ -28,6 +28,15 @@ class RanksTest(runs.SystemTest):
     def test_swim_with_fixed_point(self):
         self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"))
 
+    def test_swim_with_added_mass(self):
+        # An iteration of Newton's method more or less, for round-off at its tolerance,
+        # is to change less than what is asked for.
+        for scheme in ("ab2", "rk3"):
+            with self.subTest(scheme):
+                self.check("swim.prm", "--overwrite",
+                           *runs.sets(Coupling__Scheme="added mass", Fluid__Time_scheme=scheme,
+                                      Elasticity__Newton_tolerance="1e-11"))
+
     def test_swim_with_a_distributed_body(self):
         self.check("swim.prm", *runs.sets(Scene__Distributed_body_from=0))
 

@@ -52,6 +52,23 @@ class RestartTest(runs.SystemTest):
             runs.numpy.testing.assert_array_equal(part.values, whole.values, name)
         self.assertEqual(self.table("whole", "cycles.csv")["cycle [-]"].tolist(), [1, 2, 3])
 
+    def test_no_row_is_newer_than_the_run(self):
+        """The run that is taken back wrote rows of cycles and profiles at step 30; the
+        one that goes on ends before their next."""
+        self.run_scene("swim.prm", "run", *runs.sets(Time__Number_of_steps=32))
+        (self.folder / "run/checkpoints/checkpoint_000000032.h5").unlink()
+        rows = {path: self.table("run", path.relative_to(self.folder / "run")).values.shape[0]
+                for path in (self.folder / "run").glob("**/*.csv") if path.name != "timing.csv"}
+        self.run_program("--resume", "run", "--quiet", *runs.sets(Time__Number_of_steps=28))
+        taken_back = {"statistics.csv": 4, "iterations.csv": 4, "cycles.csv": 1,
+                      "activation.csv": 1, "potential.csv": 1}
+        for path, before in rows.items():
+            table = self.table("run", path.relative_to(self.folder / "run"))
+            if table.names[0] == "time [s]":
+                self.assertLessEqual(table["time [s]"].max(), 0.056 + 1e-9, path)
+            if path.name in taken_back:
+                self.assertEqual(before - table.values.shape[0], taken_back[path.name], path)
+
     def test_swim_with_fixed_point(self):
         self.check("swim.prm", *runs.sets(Coupling__Scheme="fixed point"),
                    series=("flow", "body", "dye"))

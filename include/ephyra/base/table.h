@@ -66,6 +66,10 @@ namespace ephyra
            const std::vector<std::string> &columns,
            double                          last);
 
+    /// Removes these rows of a file that exists, whatever its columns.
+    static void
+    cut(const std::string &file_name, double last);
+
     void
     write_row(const std::vector<double> &values);
 

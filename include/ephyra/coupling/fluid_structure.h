@@ -35,7 +35,7 @@ namespace ephyra::coupling
     SchemeKind    scheme     = SchemeKind::automatic;
     LoadKind      load       = LoadKind::probes; ///< sequential scheme
     AddedMassKind added_mass = AddedMassKind::full;
-    double        tolerance  = 1e-3; ///< fixed point: relative change of load
+    double        tolerance  = 1e-2; ///< fixed point: relative change of load
     double        absolute_tolerance = 0; ///< N
     int           maximum_iterations = 50;
     Acceleration::Parameters acceleration;

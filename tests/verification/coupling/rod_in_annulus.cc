@@ -55,7 +55,8 @@ namespace
     coupling::WetSurface surface(
       immersed_boundary, rod.patch, {splines::Side::theta2_1}, flow);
     coupling::CouplingParameters coupling;
-    coupling.scheme = coupling::CouplingParameters::SchemeKind::fixed_point;
+    coupling.scheme    = coupling::CouplingParameters::SchemeKind::fixed_point;
+    coupling.tolerance = 1e-3;
     const auto scheme =
       coupling::make_fluid_structure_scheme(coupling, flow, body, surface);
 
