@@ -61,6 +61,8 @@ namespace ephyra::coupling
     , n_control_points(patch.n_control_points())
     , shapes{splines::control_vector(patch)}
   {
+    log().line("Immersed boundary: " + parameters.description() + ", " +
+               std::to_string(the_markers->size()) + " markers.");
     assemble_shape();
     const std::vector<double> rest(2 * n_control_points, 0.);
     set_geometry({splines::control_vector(patch), rest, rest});

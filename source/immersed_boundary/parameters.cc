@@ -39,14 +39,16 @@ namespace ephyra::immersed_boundary
                       patterns::Double("", 0.2, 1.),
                       "Width of the exponential weight over the half width of "
                       "the support.");
-    prm.declare_entry("Forcing",
-                      "sweeps",
-                      patterns::Selection("sweeps|scaled sweeps|exact"),
-                      "Marker forces by a number of forcing sweeps; by sweeps "
-                      "scaled so that they leave no slip where the force "
-                      "changes little from marker to marker; or so that "
-                      "the velocity before the projection meets the no-slip "
-                      "condition at every marker.");
+    prm.declare_entry(
+      "Forcing",
+      "automatic",
+      patterns::Selection("automatic|sweeps|scaled sweeps|exact"),
+      "Marker forces by a number of forcing sweeps; by sweeps scaled so that "
+      "they leave no slip where the force changes little from marker to "
+      "marker; or so that the velocity before the projection meets the "
+      "no-slip condition at every marker. Automatic: sweeps for rigid bodies, "
+      "scaled sweeps for deformable ones, whose walls then keep a pressure "
+      "difference without a leak.");
     prm.declare_entry("Forcing sweeps",
                       "3",
                       patterns::Integer(1, 1000),
@@ -128,12 +130,14 @@ namespace ephyra::immersed_boundary
     weight = chosen == "cubic spline" || (chosen == "automatic" && rigid_bodies)
                ? WeightFunction::cubic_spline
                : WeightFunction::exponential;
-    half_width                 = prm.get_double("Half width");
-    exponential_width          = prm.get_double("Exponential width");
-    const std::string solver   = prm.get("Forcing");
-    forcing_solver             = solver == "exact" ? ForcingSolver::exact
-                                 : solver == "scaled sweeps" ? ForcingSolver::scaled_sweeps
-                                                             : ForcingSolver::sweeps;
+    half_width               = prm.get_double("Half width");
+    exponential_width        = prm.get_double("Exponential width");
+    const std::string solver = prm.get("Forcing");
+    forcing_solver =
+      solver == "exact" ? ForcingSolver::exact
+      : solver == "sweeps" || (solver == "automatic" && rigid_bodies)
+        ? ForcingSolver::sweeps
+        : ForcingSolver::scaled_sweeps;
     forcing_sweeps             = prm.get_integer("Forcing sweeps");
     inward_shift               = prm.get_double("Inward shift");
     const std::string kind     = prm.get("Load");
@@ -155,5 +159,19 @@ namespace ephyra::immersed_boundary
                                               : FrictionFormula::extrapolated;
     surface_slip   = prm.get_bool("Surface slip");
     load_roughness = prm.get_bool("Load roughness");
+  }
+
+  std::string
+  Parameters::description() const
+  {
+    const std::string sweeps = std::to_string(forcing_sweeps);
+    return std::string("weight function ") +
+           (weight == WeightFunction::exponential ? "exponential"
+                                                  : "cubic spline") +
+           ", " +
+           (forcing_solver == ForcingSolver::exact ? "exact forcing"
+            : forcing_solver == ForcingSolver::sweeps
+              ? sweeps + " forcing sweeps"
+              : sweeps + " scaled forcing sweeps");
   }
 } // namespace ephyra::immersed_boundary

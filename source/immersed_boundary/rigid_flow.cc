@@ -83,11 +83,8 @@ namespace ephyra::immersed_boundary
                     << bodies[free_bodies[0]]->parameters.name
                     << "' is free: set them to 0.");
     flow.keep_predicted(measures_momentum || parameters.no_slip_iterations > 0);
-    log().line(std::string("Immersed boundary: weight function ") +
-               (parameters.weight == WeightFunction::exponential
-                  ? "exponential"
-                  : "cubic spline") +
-               ", " + std::to_string(the_markers->size()) + " markers.");
+    log().line("Immersed boundary: " + parameters.description() + ", " +
+               std::to_string(the_markers->size()) + " markers.");
     const std::size_t n = free_bodies.size();
     momentum_slope.assign(n * n, 0.);
     for (std::size_t k = 0; k < n; ++k)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace ephyra
 {
   class ParameterHandler;
@@ -57,7 +59,7 @@ namespace ephyra::immersed_boundary
     double         half_width        = 1.6;
     double         exponential_width = 0.3;
 
-    ForcingSolver forcing_solver = ForcingSolver::sweeps;
+    ForcingSolver forcing_solver = ForcingSolver::scaled_sweeps;
     int           forcing_sweeps = 3;
     double        inward_shift   = 0.25;
 
@@ -78,9 +80,13 @@ namespace ephyra::immersed_boundary
 
     static void
     declare(ParameterHandler &prm);
-    /// Automatic choices: cubic spline and linear pressure for
-    /// @p rigid_bodies, else exponential and acceleration.
+    /// Automatic choices: cubic spline, sweeps and linear pressure for
+    /// @p rigid_bodies, else exponential, scaled sweeps and acceleration.
     void
     parse(ParameterHandler &prm, bool rigid_bodies = false);
+
+    /// Weight function and forcing in words, for the log.
+    std::string
+    description() const;
   };
 } // namespace ephyra::immersed_boundary

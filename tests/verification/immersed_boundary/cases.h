@@ -15,8 +15,9 @@ namespace ephyra::test
   rigid_defaults()
   {
     immersed_boundary::Parameters p;
-    p.weight        = immersed_boundary::WeightFunction::cubic_spline;
-    p.wall_pressure = immersed_boundary::WallPressure::linear;
+    p.weight         = immersed_boundary::WeightFunction::cubic_spline;
+    p.forcing_solver = immersed_boundary::ForcingSolver::sweeps;
+    p.wall_pressure  = immersed_boundary::WallPressure::linear;
     return p;
   }
 
