@@ -195,38 +195,50 @@ BOOST_AUTO_TEST_CASE(the_matrix_and_the_transfer_do_what_the_fields_do)
 {
   const fluid::StaggeredGrid grid    = make_grid();
   const Markers              markers = sphere(grid);
-  DirectForcing              forcing(grid);
-  forcing.update(markers);
-  const int n = markers.size();
-
-  fluid::VelocityField u(grid);
-  test::fill(u, some_velocity, some_velocity);
-  std::vector<double> Ju, F(2 * n, 0.), residual(2 * n), Ju0;
-  forcing.interpolate(u, Ju0);
-  for (int l = 0; l < 2 * n; ++l)
-    residual[l] = 0.7 - Ju0[l];
-  std::vector<double> by_matrix;
-  forcing.solve(residual, by_matrix);
-
-  // Three sweeps over the field itself.
-  for (int sweep = 0; sweep < 3; ++sweep)
+  for (const ForcingSolver solver :
+       {ForcingSolver::sweeps, ForcingSolver::scaled_sweeps})
     {
-      forcing.interpolate(u, Ju);
-      std::vector<double> increment(2 * n);
+      Parameters parameters;
+      parameters.forcing_solver = solver;
+      DirectForcing forcing(grid, parameters);
+      forcing.update(markers);
+      const int n = markers.size();
+
+      fluid::VelocityField u(grid);
+      test::fill(u, some_velocity, some_velocity);
+      std::vector<double> Ju, F(2 * n, 0.), residual(2 * n), Ju0;
+      forcing.interpolate(u, Ju0);
       for (int l = 0; l < 2 * n; ++l)
-        F[l] += increment[l] = 0.7 - Ju[l];
-      forcing.spread(increment, u);
-    }
-  double error = 0;
-  for (int l = 0; l < 2 * n; ++l)
-    error = std::max(error, std::abs(F[l] - by_matrix[l]));
-  BOOST_TEST(error < 1e-12);
+        residual[l] = 0.7 - Ju0[l];
+      std::vector<double> by_matrix;
+      forcing.solve(residual, by_matrix);
 
-  for (int c = 0; c < 2; ++c)
-    {
-      const Eigen::Map<const Eigen::VectorXd> r(residual.data() + c * n, n),
-        f(by_matrix.data() + c * n, n);
-      BOOST_TEST((forcing.transfer(c) * r - f).cwiseAbs().maxCoeff() < 1e-12);
+      // Three sweeps over the field itself.
+      std::vector<double> relaxation(2 * n, 1.);
+      if (solver == ForcingSolver::scaled_sweeps)
+        for (int c = 0; c < 2; ++c)
+          for (int l = 0; l < n; ++l)
+            relaxation[c * n + l] = 1. / forcing.marker_matrix(c).row(l).sum();
+      for (int sweep = 0; sweep < 3; ++sweep)
+        {
+          forcing.interpolate(u, Ju);
+          std::vector<double> increment(2 * n);
+          for (int l = 0; l < 2 * n; ++l)
+            F[l] += increment[l] = relaxation[l] * (0.7 - Ju[l]);
+          forcing.spread(increment, u);
+        }
+      double error = 0;
+      for (int l = 0; l < 2 * n; ++l)
+        error = std::max(error, std::abs(F[l] - by_matrix[l]));
+      BOOST_TEST(error < 1e-12);
+
+      for (int c = 0; c < 2; ++c)
+        {
+          const Eigen::Map<const Eigen::VectorXd> r(residual.data() + c * n, n),
+            f(by_matrix.data() + c * n, n);
+          BOOST_TEST((forcing.transfer(c) * r - f).cwiseAbs().maxCoeff() <
+                     1e-12);
+        }
     }
 }
 
