@@ -56,7 +56,7 @@ namespace ephyra::coupling
                       "projection a step; set Fluid/Time scheme = ab2 or Added "
                       "mass = full.");
         with_forcing_resistance = true;
-        body.mechanics().allow_coupling(surface.coupling_pattern());
+        allow_forcing_resistance();
         return;
       }
     added_mass = std::make_unique<AddedMass>(
@@ -116,6 +116,8 @@ namespace ephyra::coupling
     StepStatus status = prepare(t, dt);
     if (!status.success)
       return status;
+    if (with_forcing_resistance)
+      allow_forcing_resistance();
     bool measured = false;
     if (added_mass)
       {

@@ -109,8 +109,21 @@ namespace ephyra::coupling
       flow.keep_first_stage();
     const TimerTree::Scope scope(timer(), "interface");
     surface.set_geometry(body.extrapolated_motion(flow.stage_time(0) - t));
-    surface.sample(flow.velocity());
+    surface.sample(flow, 0);
     return status;
+  }
+
+  void
+  FluidStructureScheme::allow_forcing_resistance()
+  {
+    const Resistance needed = flow.implicit_directions().any()
+                                ? Resistance::of_all
+                                : Resistance::of_neighbours;
+    if (allowed_resistance >= needed)
+      return;
+    allowed_resistance = needed;
+    body.mechanics().allow_coupling(
+      surface.coupling_pattern(needed == Resistance::of_all));
   }
 
   StepStatus
@@ -143,7 +156,7 @@ namespace ephyra::coupling
           if (several)
             {
               surface.set_geometry(body.extrapolated_motion(time));
-              surface.sample(flow.velocity());
+              surface.sample(flow, k);
             }
           surface.set_motion(
             {{},

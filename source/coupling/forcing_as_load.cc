@@ -22,7 +22,7 @@ namespace ephyra::coupling
                   "projection a step; set Fluid/Time scheme = "
                   "ab2 or use Scheme = added mass.");
     flow.keep_predicted(false);
-    body.mechanics().allow_coupling(surface.coupling_pattern());
+    allow_forcing_resistance();
   }
 
   StepStatus
@@ -31,6 +31,7 @@ namespace ephyra::coupling
     StepStatus status = prepare(t, dt);
     if (!status.success)
       return status;
+    allow_forcing_resistance();
     const std::size_t n = body.n_unknowns();
 
     // The load that would follow from a vanishing new acceleration, and how it

@@ -65,7 +65,7 @@ namespace ephyra::coupling
           {
             throw DivergedError(with_remedy(error.what()));
           }
-        surface.sample(flow.velocity());
+        surface.sample(flow, k);
         surface.solve_forcing();
         force_and_project(k);
         if (load_kind == CouplingParameters::LoadKind::forcing)

@@ -195,9 +195,10 @@ namespace ephyra::coupling
   }
 
   void
-  WetSurface::sample(const fluid::VelocityField &predicted)
+  WetSurface::sample(const fluid::FlowSolver &flow, const unsigned int stage)
   {
-    forcing->interpolate(predicted, Ju);
+    forcing->prepare(flow, stage);
+    forcing->interpolate(flow.velocity(), Ju);
   }
 
   std::vector<double>
@@ -230,7 +231,7 @@ namespace ephyra::coupling
                                                  parameters.no_slip_tolerance,
                                                  parameters.no_slip_iterations,
                                                  F);
-    forcing->spread(F, flow.velocity());
+    forcing->add(F, flow, stage);
     flow.project(stage);
     return {};
   }
@@ -270,8 +271,7 @@ namespace ephyra::coupling
     std::vector<Eigen::Triplet<double>> entries;
     for (int c = 0; c < 2; ++c)
       {
-        const Matrix moved = forcing->transfer(c) * shape;
-        const Matrix K     = weighted_transpose * moved;
+        const Matrix K = weighted_transpose * forcing->forces(c, shape);
         for (int i = 0; i < K.outerSize(); ++i)
           for (Matrix::InnerIterator entry(K, i); entry; ++entry)
             entries.emplace_back(
@@ -342,12 +342,23 @@ namespace ephyra::coupling
   }
 
   linear_algebra::SparsityPattern
-  WetSurface::coupling_pattern() const
+  WetSurface::coupling_pattern(const bool implicit_viscosity) const
   {
     linear_algebra::SparsityPattern pattern(2 * n_control_points);
-    const auto                     &state = the_markers->state();
-    const auto                     &rows  = the_markers->shape();
-    const int                       n     = the_markers->size();
+    if (implicit_viscosity)
+      {
+        std::vector<int> wet;
+        for (const auto &curve : the_markers->curves())
+          for (const int point : curve.control_points)
+            wet.insert(wet.end(), {2 * point, 2 * point + 1});
+        for (const int i : wet)
+          pattern.columns[i] = wet;
+        pattern.compress();
+        return pattern;
+      }
+    const auto &state = the_markers->state();
+    const auto &rows  = the_markers->shape();
+    const int   n     = the_markers->size();
     for (int l = 0; l < n; ++l)
       for (int m = 0; m <= l; ++m)
         if (immersed_boundary::length_in_cells(grid,

@@ -120,4 +120,14 @@ namespace ephyra::immersed_boundary
     viscous.push_back(std::move(made));
     present_viscous = viscous.back().get();
   }
+
+  DirectForcing::Matrix
+  DirectForcing::forces(const int component, const Matrix &R) const
+  {
+    if (present_viscous == nullptr)
+      return transfer(component) * R;
+    const Eigen::MatrixXd behind =
+      present_viscous->B[component].solve(Eigen::MatrixXd(R));
+    return Eigen::MatrixXd(transfer(component) * behind).sparseView(1., 0.);
+  }
 } // namespace ephyra::immersed_boundary

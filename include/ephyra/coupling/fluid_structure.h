@@ -68,6 +68,12 @@ namespace ephyra::coupling
     /// of the first stage.
     StepStatus
     prepare(double t, double dt);
+    /// Lets WetSurface::forcing_resistance() into the matrix of the body: among
+    /// neighbours, and from the first step of implicit viscosity on among all
+    /// wet unknowns. In the constructor and after prepare() of a scheme that
+    /// uses it.
+    void
+    allow_forcing_resistance();
     /// After prepare(), as often as asked: the step of the flow, from the same
     /// start, for a motion of the body that ends like @p end, and the load on
     /// the body at its end, N. The positions of the markers are extrapolated
@@ -92,6 +98,14 @@ namespace ephyra::coupling
     std::vector<double> forcing_work;   ///< of the stages of this step, J
     double              step_start = 0, step = 0; ///< of prepare(), s
     int                 flow_solves = 0; ///< steps of the flow since prepare()
+
+  private:
+    enum class Resistance
+    {
+      none,
+      of_neighbours,
+      of_all
+    } allowed_resistance = Resistance::none;
   };
 
   /// |a - b| over |a|; 0 where both vanish, infinite where a does alone.

@@ -22,6 +22,7 @@ namespace ephyra::coupling
   /// loads in terms of the control values of the patch. With B the values of
   /// the patch's basis at the markers,
   ///   V = B v,   F = T (V - J u*),   u = u* + S F,
+  /// or, where viscosity is implicit, the same behind its operator A,
   /// and the impulse that the fluid receives in a step is rho D F at the
   /// markers, D = diag(w) (see immersed_boundary::DirectForcing). Everything
   /// here is replicated on all ranks.
@@ -58,15 +59,16 @@ namespace ephyra::coupling
     void
     set_motion(const BodyMotion &motion);
 
-    /// Keeps J u* for the calls below; collective.
+    /// Keeps J u* of the stage that was predicted, and where viscosity is
+    /// implicit its operator, for the calls below; collective.
     void
-    sample(const fluid::VelocityField &predicted);
+    sample(const fluid::FlowSolver &flow, unsigned int stage);
     /// Forcing that gives the flow the velocity of the markers.
     void
     solve_forcing();
-    /// velocity() of the flow += S F, projected; with `No-slip iterations` F is
-    /// improved until the projected velocity meets the markers, which may
-    /// fail. After solve_forcing(), for the stage that was predicted.
+    /// velocity() of the flow += S F (A^-1 S F where viscosity is implicit),
+    /// projected; with `No-slip iterations` F is improved until the projected
+    /// velocity meets the markers, which may fail. After solve_forcing(), for the stage that was predicted.
     /// Collective.
     StepStatus
     force_and_project(fluid::FlowSolver &flow, unsigned int stage);
@@ -84,7 +86,9 @@ namespace ephyra::coupling
 
     /// The forcing's load as a function of the control velocities, without the
     /// constant part: K = rho B^T D T B / dt, so that
-    /// -rho B^T D F / dt = -K v + rho B^T D T J u* / dt.
+    /// -rho B^T D F / dt = -K v + rho B^T D T J u* / dt. Where viscosity is
+    /// implicit, every marker acts on every other one through it. After
+    /// sample().
     Matrix
     forcing_resistance(double dt) const;
 
@@ -108,10 +112,11 @@ namespace ephyra::coupling
     double
     roughness(const std::vector<double> &load) const;
 
-    /// Pairs of unknowns that forcing_resistance() couples, with a margin for
-    /// deformation: those of markers less than a few cells apart.
+    /// Pairs of unknowns that forcing_resistance() couples: those of markers
+    /// less than a few cells apart, with a margin for deformation; with
+    /// @p implicit_viscosity all of the wet sides.
     linear_algebra::SparsityPattern
-    coupling_pattern() const;
+    coupling_pattern(bool implicit_viscosity) const;
 
     /// Slip after the projection: root mean square of J u - V over that of V
     /// (0 where V vanishes); collective.

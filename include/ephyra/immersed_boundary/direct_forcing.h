@@ -115,6 +115,10 @@ namespace ephyra::immersed_boundary
     /// T of a component, assembled on the first call after update().
     const Matrix &
     transfer(int component) const;
+    /// The forces of a component for residuals that are the columns of @p R,
+    /// as solve() finds them: T R, or T B^-1 R, which is dense.
+    Matrix
+    forces(int component, const Matrix &R) const;
 
     int
     n_markers() const
