@@ -88,23 +88,23 @@ BOOST_AUTO_TEST_SUITE(implicit_viscosity)
 
 BOOST_AUTO_TEST_CASE(settling_does_not_depend_on_the_step)
 {
-  for (const Kind kind : {Kind::forcing_as_load, Kind::added_mass})
-    for (const ForcingSolver solver :
-         {ForcingSolver::sweeps, ForcingSolver::scaled_sweeps})
-      {
-        // nu dt / Delta^2 = 0.18 and 7.2.
-        constexpr double dt = 1.25e-3, end = 0.5, factor = 40;
-        Case             fine(kind, solver), coarse(kind, solver);
-        const double     exact = fine.speed(std::lround(end / dt), dt);
-        const double     speed =
-          coarse.speed(std::lround(end / (factor * dt)), factor * dt);
-        BOOST_TEST(!fine.flow->implicit_directions().any());
-        BOOST_TEST(coarse.flow->implicit_directions().any());
-        BOOST_TEST_MESSAGE("speed " << exact << " m/s, with large steps "
-                                    << speed / exact - 1. << " more");
-        BOOST_TEST(exact > 0.01);
-        BOOST_TEST(std::abs(speed / exact - 1.) < 0.01);
-      }
+  using Pair = std::pair<Kind, ForcingSolver>;
+  for (const auto &[kind, solver] :
+       {Pair{Kind::forcing_as_load, ForcingSolver::scaled_sweeps},
+        Pair{Kind::added_mass, ForcingSolver::sweeps}})
+    {
+      // nu dt / Delta^2 = 0.11, explicit, and 7.2.
+      constexpr double end = 0.5;
+      Case             fine(kind, solver), coarse(kind, solver);
+      const double     exact = fine.speed(640, end / 640);
+      const double     speed = coarse.speed(10, end / 10);
+      BOOST_TEST(!fine.flow->implicit_directions().any());
+      BOOST_TEST(coarse.flow->implicit_directions().any());
+      BOOST_TEST_MESSAGE("speed " << exact << " m/s, with large steps "
+                                  << speed / exact - 1. << " more");
+      BOOST_TEST(exact > 0.05);
+      BOOST_TEST(std::abs(speed / exact - 1.) < 0.01);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(resistance_is_the_derivative_of_the_load)
