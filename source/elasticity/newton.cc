@@ -107,6 +107,16 @@ namespace ephyra::elasticity
     return true;
   }
 
+  void
+  Newton::find_correction(const NonlinearProblem &problem)
+  {
+    const TimerTree::Scope scope(timer(), "solve", matrix.n_rows());
+    solver->solve(r, correction);
+    for (double &c : correction)
+      c = -c;
+    problem.complete(correction);
+  }
+
   bool
   Newton::follow(NonlinearProblem          &problem,
                  std::vector<double>       &x,
@@ -206,7 +216,18 @@ namespace ephyra::elasticity
         if (!std::isfinite(size))
           return fail("the residual of Newton's method is not finite");
         if (size <= prm.tolerance * evaluation.scale + evaluation.floor)
-          return status;
+          {
+            // What is left follows from the residual that is known anyway.
+            // Without it round-off that decides between two iterations would
+            // move x by as much as the tolerance allows.
+            if (status.iterations > 0)
+              {
+                find_correction(problem);
+                for (std::size_t i = 0; i < x.size(); ++i)
+                  x[i] += correction[i];
+              }
+            return status;
+          }
         if (status.iterations == most_iterations)
           {
             std::ostringstream reason;
@@ -226,13 +247,7 @@ namespace ephyra::elasticity
               return status;
           }
         ++status.iterations;
-        {
-          const TimerTree::Scope scope(timer(), "solve", matrix.n_rows());
-          solver->solve(r, correction);
-        }
-        for (double &c : correction)
-          c = -c;
-        problem.complete(correction);
+        find_correction(problem);
 
         // Along the correction the work of the residual has to fall.
         const double work     = dot(correction, r);

@@ -88,8 +88,8 @@ class RestartTest(runs.SystemTest):
         self.assertLess(self.table("whole")["largest marker spacing [cells]"].max(), 0.6)
 
     def test_swim_with_added_mass(self):
-        # At the default tolerance round-off of another number of ranks is carried on farther:
-        # 1.3e-8 of the speed.
+        # At the default tolerance round-off grows from step to step
+        # (docs/verification/coupling.md).
         self.check("swim.prm", *runs.sets(Coupling__Scheme="added mass", Coupling__Tolerance=1e-3,
                                           Fluid__Time_scheme="rk3"),
                    series=("flow", "body", "dye"))

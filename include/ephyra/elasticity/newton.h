@@ -93,8 +93,9 @@ namespace ephyra::elasticity
            MPI_Comm                               comm,
            const std::string                     &what);
 
-    /// Improves x until |residual| <= tolerance * scale + floor. Where that
-    /// fails the status says why and x is the last iterate.
+    /// Improves x until |residual| <= tolerance * scale + floor, and by one more
+    /// correction, without an evaluation, where it iterated. Where that fails
+    /// the status says why and x is the last iterate.
     NewtonStatus
     solve(NonlinearProblem &problem, std::vector<double> &x);
 
@@ -119,6 +120,9 @@ namespace ephyra::elasticity
             bool                 independent_pressure);
     bool
     factorize(NewtonStatus &status);
+    /// correction = -(factorised matrix)^-1 r.
+    void
+    find_correction(const NonlinearProblem &problem);
     double
     norm(const std::vector<double> &x) const;
     double

@@ -96,6 +96,26 @@ BOOST_AUTO_TEST_CASE(kept_factorisation_gives_the_same_solution)
                1e-8);
 }
 
+BOOST_AUTO_TEST_CASE(solution_is_better_than_the_residual_that_was_accepted)
+{
+  // The residual that is reported is that before the last correction.
+  auto prm             = cantilever("60");
+  prm.n_steps          = 2;
+  prm.newton.tolerance = 1e-5;
+  StaticsSolver solver(prm, test::tube(.5, .8, 1., 3, {4, 2}), MPI_COMM_WORLD);
+  const auto    result = solver.run();
+  BOOST_TEST(result.success, result.reason);
+  BOOST_TEST(result.last.residual > 1e-9);
+  std::vector<double> r;
+  const auto evaluation = solver.body().residual(solver.displacement(), r);
+  solver.body().get_constraints().condense(r);
+  double square = 0.;
+  for (const double x : r)
+    square += x * x;
+  BOOST_TEST(std::sqrt(square) <
+             prm.newton.reuse * result.last.residual * evaluation.scale);
+}
+
 BOOST_AUTO_TEST_CASE(statics_ends_with_the_last_converged_level)
 {
   // A pressure that no equilibrium exists for.
