@@ -68,8 +68,8 @@ namespace ephyra::coupling
     solve_forcing();
     /// velocity() of the flow += S F (A^-1 S F where viscosity is implicit),
     /// projected; with `No-slip iterations` F is improved until the projected
-    /// velocity meets the markers, which may fail. After solve_forcing(), for the stage that was predicted.
-    /// Collective.
+    /// velocity meets the markers, which may fail. After solve_forcing(), for
+    /// the stage that was predicted. Collective.
     StepStatus
     force_and_project(fluid::FlowSolver &flow, unsigned int stage);
 
