@@ -108,10 +108,11 @@ def plot_families(rows, x, columns, by, path):
         draw_family(axis, family(rows, x, y, by), by)
         axis.set_xlabel(short(x))
         axis.set_ylabel(y, fontsize="small")
-    axes.flat[0].legend(fontsize="small", frameon=False)
+    figure.legend(*axes.flat[0].get_legend_handles_labels(), loc="upper center",
+                  bbox_to_anchor=(0.5, 0), ncol=4, fontsize="small", frameon=False)
     for axis in axes.flat[len(columns):]:
         axis.set_visible(False)
-    figure.savefig(path, dpi=100)
+    figure.savefig(path, dpi=100, bbox_inches="tight")
     plt.close(figure)
     print(f"plot: {path}")
 
