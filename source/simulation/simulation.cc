@@ -252,20 +252,28 @@ namespace ephyra::simulation
           {
             step();
           }
-        catch (const DivergedError &error)
+        catch (const DivergedError &)
           {
             if (scene.cut_backs)
               {
                 saved.begin_reading();
                 model->serialize(saved);
-                if (last_checkpoint != time->n_steps())
-                  write_checkpoint();
+                finish_diverged(true);
               }
-            finish(ExitCode::diverged,
-                   "Diverged after step " + std::to_string(time->n_steps()));
+            else
+              finish_diverged(false);
             throw;
           }
-        write_output();
+        try
+          {
+            write_output();
+          }
+        catch (const DivergedError &)
+          {
+            // The step is complete, only its loads cannot be told.
+            finish_diverged(true);
+            throw;
+          }
         progress.step(*time, model->cfl(), model->iterations());
         if (scene.output.checkpoints.due(*time))
           write_checkpoint();
@@ -283,6 +291,15 @@ namespace ephyra::simulation
           }
       }
     return finish_well("Done");
+  }
+
+  void
+  Simulation::finish_diverged(const bool state_is_good)
+  {
+    if (state_is_good && last_checkpoint != time->n_steps())
+      write_checkpoint();
+    finish(ExitCode::diverged,
+           "Diverged after step " + std::to_string(time->n_steps()));
   }
 
   ExitCode

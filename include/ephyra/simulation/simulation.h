@@ -46,6 +46,8 @@ namespace ephyra::simulation
     write_checkpoint();
     void
     serialize(Archive &archive);
+    void
+    finish_diverged(bool state_is_good);
     ExitCode
     finish_well(const std::string &how);
     ExitCode
