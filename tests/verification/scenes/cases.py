@@ -386,3 +386,22 @@ def tube_wave_as_heavy_as_the_fluid(run):
 @case(QUICK, "tube_wave", "Elasticity/Density = 0.1 kg/m^3", "Body/Outer radius = 1.05 m")
 def tube_wave_light_and_thin(run):
     yield from tube_wave(run, 1.05, 0.1, None)
+
+
+def crest(table):
+    """Time and height of the largest radial displacement, by a parabola."""
+    t, u = table["time [s]"], table["radial displacement [m]"]
+    k = max(range(1, len(u) - 1), key=u.__getitem__)
+    slope, curvature = (u[k + 1] - u[k - 1]) / 2, u[k + 1] - 2 * u[k] + u[k - 1]
+    return t[k] - slope / curvature * (t[k + 1] - t[k]), u[k] - slope**2 / (2 * curvature)
+
+
+@case(LONG, "tube_pulse")
+def tube_pulse(run):
+    near, far = read_reference("fsi/tube_pulse.csv")
+    (t, u), (later, lower) = crest(run.table("probes/near")), crest(run.table("probes/far"))
+    way = far[0] - near[0]
+    yield relative("speed of the pulse between the stations, m/s", way / (later - t),
+                   way / (far[1] - near[1]), 0.05, FORMULA)
+    yield relative("height at the second station over that at the first", lower / u, far[2], 0.05,
+                   FORMULA)

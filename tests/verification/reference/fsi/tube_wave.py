@@ -45,9 +45,8 @@ def columns(r, k, kappa, omega, rho, mu):
     return np.array(result).T
 
 
-def residual(omega, outer, ratio):
+def residual(omega, outer, ratio, k):
     """What is left of the equation of the wall for w = 1."""
-    k = 2 * np.pi / LENGTH
     kappa = np.sqrt(k * k - 1j * omega / NU)
     mu = DENSITY * NU
     log = np.log(outer / A)
@@ -61,12 +60,11 @@ def residual(omega, outer, ratio):
             + k**2 * G * log + inner_wall[3] @ lumen - wall[3] @ annulus)
 
 
-def frequency(outer, ratio):
-    k = 2 * np.pi / LENGTH
+def frequency(outer, ratio, k=2 * np.pi / LENGTH):
     inviscid = k * np.sqrt(G / DENSITY * (1 - (A / outer)**2) / (1 + A**2 / (C**2 - outer**2)))
 
     def equations(x):
-        value = residual(x[0] + 1j * x[1], outer, ratio)
+        value = residual(x[0] + 1j * x[1], outer, ratio, k)
         return [value.real, value.imag]
 
     solution = root(equations, [0.93 * inviscid, -0.05 * inviscid], tol=1e-13)
