@@ -258,10 +258,8 @@ namespace ephyra::simulation
               {
                 saved.begin_reading();
                 model->serialize(saved);
-                finish_diverged(true);
               }
-            else
-              finish_diverged(false);
+            finish_diverged(scene.cut_backs);
             throw;
           }
         try

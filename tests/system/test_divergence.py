@@ -40,8 +40,8 @@ class DivergenceTest(runs.SystemTest):
                          *runs.sets(Body__Axial_position="69 mm",
                                     Elasticity__Axial_body_force=force),
                          parts=parts)
-        checkpoint = f"run/checkpoints/checkpoint_{self.last_step():09d}.h5"
-        self.assertTrue((self.folder / checkpoint).exists())
+            checkpoint = f"run/checkpoints/checkpoint_{self.last_step():09d}.h5"
+            self.assertTrue((self.folder / checkpoint).exists())
 
     def test_flow_with_a_huge_velocity(self):
         for cut_backs in ("true", "false"):

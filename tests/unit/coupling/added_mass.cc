@@ -1,10 +1,9 @@
 #include "ephyra/coupling/added_mass.h"
-#include "ephyra/coupling/deformable_body.h"
 #include "ephyra/coupling/fixed_point.h"
-#include "ephyra/coupling/wet_surface.h"
 #include "ephyra/geometry/simple_bodies.h"
 #include "ephyra/splines/control_vector.h"
 
+#include "coupled_body.h"
 #include "record_value.h"
 
 #include <Eigen/Eigenvalues>
@@ -20,7 +19,7 @@ namespace
 {
   /// An elastic hollow sphere, 0.3 to 0.5 m, lighter than the fluid that falls
   /// by it in a closed cylinder.
-  struct Case
+  struct Case : test::CoupledBody
   {
     static constexpr double R  = 0.5;
     static constexpr double dt = 5e-3;
@@ -52,22 +51,13 @@ namespace
       p.grid.y.breakpoints = {-2., 2.};
       p.grid.y.spacings    = {0.0625};
       p.lower.kind = p.upper.kind = p.outer.kind = fluid::SideKind::no_slip;
-      flow = std::make_unique<fluid::FlowSolver>(p, MPI_COMM_WORLD);
-      body = std::make_unique<coupling::DeformableBody>(
-        mechanics, shape.patch, MPI_COMM_SELF, MPI_COMM_WORLD);
       immersed_boundary::Parameters immersed_boundary;
       immersed_boundary.load = load;
-      surface                = std::make_unique<coupling::WetSurface>(
-        immersed_boundary,
-        shape.patch,
-        std::vector<splines::Side>{splines::Side::theta2_1},
-        *flow);
       coupling::CouplingParameters coupling;
       coupling.scheme     = kind;
       coupling.tolerance  = tolerance;
       coupling.added_mass = added_mass;
-      scheme =
-        coupling::make_fluid_structure_scheme(coupling, *flow, *body, *surface);
+      couple(mechanics, shape.patch, p, immersed_boundary, coupling);
     }
 
     StepStatus
@@ -79,11 +69,7 @@ namespace
       return status;
     }
 
-    std::unique_ptr<fluid::FlowSolver>        flow;
-    std::unique_ptr<coupling::DeformableBody> body;
-    std::unique_ptr<coupling::WetSurface>     surface;
-    std::unique_ptr<coupling::Scheme>         scheme;
-    int                                       n_steps = 0;
+    int n_steps = 0;
   };
 
   Eigen::MatrixXd

@@ -1,8 +1,7 @@
-#include "ephyra/coupling/deformable_body.h"
-#include "ephyra/coupling/fluid_structure.h"
-#include "ephyra/coupling/wet_surface.h"
 #include "ephyra/geometry/simple_bodies.h"
 #include "ephyra/immersed_boundary/direct_forcing.h"
+
+#include "coupled_body.h"
 
 #include <Eigen/LU>
 
@@ -23,7 +22,7 @@ namespace
 
   /// A stiff hollow sphere of diameter 1 in a closed cylinder of fluid, which it
   /// sinks through.
-  struct Case
+  struct Case : test::CoupledBody
   {
     Case(const Kind kind, const ForcingSolver solver)
     {
@@ -45,19 +44,10 @@ namespace
       p.grid.y.breakpoints = {-1.5, 1.5};
       p.grid.r.spacings = p.grid.y.spacings = {h};
       p.lower.kind = p.upper.kind = p.outer.kind = fluid::SideKind::no_slip;
-      flow = std::make_unique<fluid::FlowSolver>(p, MPI_COMM_WORLD);
-      body = std::make_unique<coupling::DeformableBody>(
-        mechanics, shape.patch, MPI_COMM_SELF, MPI_COMM_WORLD);
-      immersed_boundary.forcing_solver = solver;
-      surface                          = std::make_unique<coupling::WetSurface>(
-        immersed_boundary,
-        shape.patch,
-        std::vector<splines::Side>{splines::Side::theta2_1},
-        *flow);
+      immersed_boundary.forcing_solver           = solver;
       coupling::CouplingParameters coupling;
       coupling.scheme = kind;
-      scheme =
-        coupling::make_fluid_structure_scheme(coupling, *flow, *body, *surface);
+      couple(mechanics, shape.patch, p, immersed_boundary, coupling);
     }
 
     /// Mean velocity of the control points after @p n_steps.
@@ -76,11 +66,7 @@ namespace
       return -2. * sum / static_cast<double>(v.size());
     }
 
-    immersed_boundary::Parameters             immersed_boundary;
-    std::unique_ptr<fluid::FlowSolver>        flow;
-    std::unique_ptr<coupling::DeformableBody> body;
-    std::unique_ptr<coupling::WetSurface>     surface;
-    std::unique_ptr<coupling::Scheme>         scheme;
+    immersed_boundary::Parameters immersed_boundary;
   };
 } // namespace
 

@@ -1,9 +1,7 @@
-#include "ephyra/coupling/deformable_body.h"
-#include "ephyra/coupling/fluid_structure.h"
-#include "ephyra/coupling/wet_surface.h"
 #include "ephyra/diagnostics/body_kinematics.h"
 #include "ephyra/geometry/simple_bodies.h"
 
+#include "coupled_body.h"
 #include "reference_table.h"
 
 #include <boost/test/unit_test.hpp>
@@ -47,28 +45,23 @@ namespace
     fluid.outer.kind           = fluid::SideKind::velocity;
     fluid.outer.axial_velocity = "cos(2*pi*t)";
 
-    fluid::FlowSolver        flow(fluid, MPI_COMM_WORLD);
-    coupling::DeformableBody body(
-      mechanics, rod.patch, MPI_COMM_SELF, MPI_COMM_WORLD);
     immersed_boundary::Parameters immersed_boundary;
     immersed_boundary.load = immersed_boundary::Load::forcing;
-    coupling::WetSurface surface(
-      immersed_boundary, rod.patch, {splines::Side::theta2_1}, flow);
     coupling::CouplingParameters coupling;
     coupling.scheme    = coupling::CouplingParameters::SchemeKind::fixed_point;
     coupling.tolerance = 1e-3;
-    const auto scheme =
-      coupling::make_fluid_structure_scheme(coupling, flow, body, surface);
+    test::CoupledBody coupled;
+    coupled.couple(mechanics, rod.patch, fluid, immersed_boundary, coupling);
 
     const diagnostics::BodyKinematics probe(rod.patch);
-    const std::vector<double>         rest(body.n_unknowns(), 0.);
+    const std::vector<double>         rest(coupled.body->n_unknowns(), 0.);
     // Explicit viscosity.
     const double                        dt      = 1. / n_period;
     const int                           n_steps = 12 * n_period;
     std::array<std::complex<double>, 2> result{};
     for (int step = 0; step < n_steps; ++step)
       {
-        const StepStatus status = scheme->advance(step * dt, dt);
+        const StepStatus status = coupled.scheme->advance(step * dt, dt);
         BOOST_REQUIRE_MESSAGE(status.success, status.reason);
         if (step < n_steps - n_period)
           continue;
@@ -78,8 +71,9 @@ namespace
           {
             // The velocity field is evaluated like a displacement.
             const std::array<double, 2> theta{{0.5, static_cast<double>(k)}};
-            const double v = probe.position(theta, body.motion().velocity).y -
-                             probe.position(theta, rest).y;
+            const double                v =
+              probe.position(theta, coupled.body->motion().velocity).y -
+              probe.position(theta, rest).y;
             result[k] += 2. / n_period * v * phase;
           }
       }
